@@ -1,4 +1,5 @@
-// Defines the Python module simreel._native, which the classes of the package simreel wrap.
+// The module simreel._native: libsimreel for Python. The classes of the package simreel wrap it.
+#include "dlpack.hpp"
 #include "unlocked.hpp"
 
 #include <chrono>
@@ -30,6 +31,10 @@ std::optional<simreel::Device>& device() {
 
 py::dtype typeOf(simreel::NumberType type) {
   switch (type) {
+    case simreel::NumberType::float64:
+      return py::dtype::of<double>();
+    case simreel::NumberType::int32:
+      return py::dtype::of<std::int32_t>();
     case simreel::NumberType::uint32:
       return py::dtype::of<std::uint32_t>();
     case simreel::NumberType::uint8:
@@ -40,27 +45,41 @@ py::dtype typeOf(simreel::NumberType type) {
   return py::dtype::of<float>();
 }
 
-/// Returns a numpy array that takes over the bytes without a copy. The array is read-only, because changes
-/// would not reach the device.
+/// Returns the type of structures with these members, each `bytes` long; without members, that of a number.
+py::dtype typeOf(simreel::NumberType type, const std::vector<simreel::Member>& members, std::size_t bytes) {
+  if (members.empty()) return typeOf(type);
+  py::list names, formats, offsets;
+  for (const simreel::Member& member : members) {
+    names.append(member.name);
+    formats.append(py::make_tuple(typeOf(member.type), py::tuple(py::cast(member.shape))));
+    offsets.append(member.offset);
+  }
+  return {names, formats, offsets, static_cast<py::ssize_t>(bytes)};
+}
+
+/// Hands bytes over to a numpy array without a copy. The array is read-only, because a change would reach
+/// neither the device nor the next array.
 template <class Bytes>
-py::array handOver(simreel::NumberType type, const std::vector<std::size_t>& shape,
+py::array handOver(const py::dtype& type, const std::vector<std::size_t>& shape,
                    const std::vector<std::size_t>& strides, Bytes&& bytes) {
   auto* owned = new std::decay_t<Bytes>(std::forward<Bytes>(bytes));
   const py::capsule owner(owned, [](void* data) { delete static_cast<std::decay_t<Bytes>*>(data); });
-  py::array array(typeOf(type), shape, strides, owned->data(), owner);
+  py::array array(type, shape, strides, owned->data(), owner);
   array.attr("setflags")(py::arg("write") = false);
   return array;
 }
 
 py::array toNumpy(simreel::Array&& array) {
-  return handOver(array.type, array.shape, array.strides, std::move(array.bytes));
+  const py::dtype type =
+      typeOf(array.type, array.members, array.strides.empty() ? 0 : array.strides.back());
+  return handOver(type, array.shape, array.strides, std::move(array.bytes));
 }
 
 py::array toNumpy(simreel::Picture&& picture) {
   const std::vector<std::size_t> shape = {static_cast<std::size_t>(picture.height),
                                           static_cast<std::size_t>(picture.width),
                                           static_cast<std::size_t>(picture.channels)};
-  return handOver(simreel::NumberType::uint8, shape, {shape[1] * shape[2], shape[2], 1},
+  return handOver(typeOf(simreel::NumberType::uint8), shape, {shape[1] * shape[2], shape[2], 1},
                   std::move(picture.bytes));
 }
 
@@ -74,12 +93,19 @@ void endCalls() {
   while (inside > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// Returns true if the running call must end, because a signal handler raised an exception or the
-/// interpreter ends.
+/// Runs in a waiting call: passes the library's messages on as warnings. Returns true if the running call
+/// must end, because a signal handler raised, a warning is an error, or the interpreter ends.
 bool signalled() {
   if (ending && !endsPython) return true;
   const py::gil_scoped_acquire acquire;
-  return PyErr_CheckSignals() != 0;
+  if (PyErr_CheckSignals() != 0) return true;
+  try {
+    py::module_::import("simreel._messages").attr("report")();
+  } catch (py::error_already_set& raised) {
+    raised.restore();
+    return true;
+  }
+  return false;
 }
 
 const char* nameOf(simreel::ErrorKind kind) {
@@ -173,23 +199,38 @@ class Held {
   std::shared_ptr<simreel::Scene> scene_;
 };
 
-void write(const Held& held, const std::string& object, const std::string& array, const py::array& values) {
+template <class T>
+void writeAs(const Held& held, const std::string& object, const std::string& array,
+             const py::array& values) {
   const auto scene = held.get();
-  if (values.dtype().kind() == 'u') {
-    const auto dense = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>(values);
-    const std::span<const std::uint32_t> all(dense.data(), static_cast<std::size_t>(dense.size()));
-    return unlocked([&] { scene->write(object, array, all); });
-  }
-  const auto dense = py::array_t<float, py::array::c_style | py::array::forcecast>(values);
-  const std::span<const float> all(dense.data(), static_cast<std::size_t>(dense.size()));
+  const std::span<const T> all(static_cast<const T*>(values.data()),
+                               static_cast<std::size_t>(values.nbytes()) / sizeof(T));
   unlocked([&] { scene->write(object, array, all); });
+}
+
+/// Writes an array without gaps, whose type is the state array's.
+void write(const Held& held, const std::string& object, const std::string& array, const py::array& values) {
+  if ((values.flags() & py::array::c_style) == 0)
+    throw simreel::Error(simreel::ErrorKind::usage, "the values have gaps");
+  switch (values.dtype().kind()) {
+    case 'V':
+      return writeAs<std::byte>(held, object, array, values);
+    case 'u':
+      return writeAs<std::uint32_t>(held, object, array, values);
+    case 'i':
+      return writeAs<std::int32_t>(held, object, array, values);
+    default:
+      return values.itemsize() == sizeof(double) ? writeAs<double>(held, object, array, values)
+                                                 : writeAs<float>(held, object, array, values);
+  }
 }
 
 py::list describeArrays(const Held& held) {
   const auto scene = held.get();
   py::list all;
   for (const simreel::ArrayInfo& one : unlocked([&] { return scene->arrays(); }))
-    all.append(py::make_tuple(one.object, one.name, one.unit, typeOf(one.type),
+    all.append(py::make_tuple(one.object, one.name, one.unit,
+                              typeOf(one.type, one.members, one.elementBytes),
                               py::tuple(py::cast(one.shape)), one.writable));
   return all;
 }
@@ -229,6 +270,15 @@ void addState(py::class_<Held>& type) {
              const auto scene = held.get();
              return toNumpy(unlocked([&] { return scene->read(object, array); }));
            })
+      .def("read_on_device",
+           [](const Held& held, const std::string& object, const std::string& array,
+              const std::string& member) -> py::object {
+             const auto scene = held.get();
+             auto copy = unlocked([&] { return scene->readOnDevice(object, array, member); });
+             if (!copy) return py::none();
+             const int number = copy->device;
+             return py::make_tuple(dlpackCapsule(*std::move(copy)), number);
+           })
       .def("write", write)
       .def("field",
            [](const Held& held, const std::string& name) {
@@ -244,6 +294,11 @@ void addState(py::class_<Held>& type) {
              return values;
            })
       .def("mesh", meshOf)
+      .def("save_state",
+           [](const Held& held, const std::string& file) {
+             const auto scene = held.get();
+             unlocked([&] { scene->saveState(file); });
+           })
       .def("restore", [](const Held& held, const simreel::Snapshot& snapshot) {
         const auto scene = held.get();
         unlocked([&] { scene->restore(snapshot); });
@@ -349,6 +404,10 @@ PYBIND11_MODULE(_native, module) {
     endCalls();
     device().reset();
   });
+  module.def("why_through_host", [] {
+    const simreel::Device on = presentDevice();
+    return unlocked([&] { return on.whyThroughHost(); });
+  });
   module.def("messages", [] {
     py::list all;
     if (device())
@@ -369,6 +428,12 @@ PYBIND11_MODULE(_native, module) {
     const simreel::Device on = presentDevice();
     const simreel::LoadOptions options = optionsOf(changes, std::move(assets), motion);
     return Held(unlocked([&] { return simreel::Scene::parse(on, text, name, options); }));
+  });
+  module.def("validate", [](const std::string& file, const std::optional<std::string>& text,
+                            const std::vector<std::pair<std::string, std::string>>& changes,
+                            std::vector<std::string> assets) {
+    const simreel::LoadOptions options = optionsOf(changes, std::move(assets), false);
+    return unlocked([&] { return simreel::validate(file, options, text); });
   });
   module.def("encode_png", encodePng);
   addScene(module);

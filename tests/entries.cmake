@@ -187,7 +187,7 @@ endif()
 # Tests the Python module. If the module was not built, the test is skipped with a message, except in CI.
 if(SYSTEM_PYTHON AND TARGET simreel)
   set(PYTHON_ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>;PYTHONPATH=${CMAKE_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1")
-  foreach(module module processes tools)
+  foreach(module module processes state tools)
     add_test(NAME "python: ${module}" COMMAND ${SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/python/test_${module}.py)
     set_tests_properties("python: ${module}" PROPERTIES LABELS python TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77 ENVIRONMENT "${PYTHON_ENVIRONMENT}")
   endforeach()

@@ -18,17 +18,22 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _arguments, _native
+from ._device import choose as _choose_device
 from ._errors import Error, Mistake, Warning
+from ._export import Export
 from ._frame import Frame, Object
 from ._pictures import Image, Video
 from ._scene import Scene
+from ._serve import View
 from ._sweep import Sweep, program, sweep
 
 if TYPE_CHECKING:
     from ._types import SceneDict
+else:
+    SceneDict = dict
 
 __version__: str = _native.version()
-__all__ = ["Error", "Frame", "Image", "Mistake", "Object", "Scene", "Sweep", "Video", "Warning", "device", "load",
+__all__ = ["Error", "Export", "Frame", "Image", "Mistake", "Object", "Scene", "SceneDict", "Sweep", "Video", "View", "Warning", "device", "load",
            "program", "schema", "sweep"]
 
 _native.prepare()  # sets the driver's environment variables before other threads start
@@ -51,7 +56,9 @@ def device(name: str = "", *, memory_path: str = "") -> tuple[str, str, bool]:
     Returns its name, the driver's version, and whether the CPU draws. Without a call, the first scene opens the
     default device.
     """
-    return _native.open(str(name), _arguments.text("memory_path", memory_path))
+    opened = _native.open(str(name), _arguments.text("memory_path", memory_path))
+    _choose_device(str(name), memory_path)
+    return opened
 
 
 def schema() -> dict[str, Any]:

@@ -20,15 +20,19 @@ class Array(numpy.ndarray):
 
     __array_priority__ = -1.0
 
-    def __array_ufunc__(self, function: Any, method: str, *inputs: Any, **options: Any) -> Any:
+    def __array_ufunc__(self, ufunc: Any, method: Any, *inputs: Any, **options: Any) -> Any:
         if "out" in options:
             options["out"] = tuple(_plain(one) for one in options["out"])
-        return getattr(function, method)(*(_plain(one) for one in inputs), **options)
+        return getattr(ufunc, method)(*(_plain(one) for one in inputs), **options)
+
+    def __dlpack__(self, **options: Any) -> Any:
+        """Exports a copy in host memory, because DLPack cannot say that an array is read-only."""
+        return numpy.array(_plain(self)).__dlpack__(**options)
 
     def __getitem__(self, key: Any) -> Any:
         return _plain(self)[key]
 
-    @property
+    @property  # type: ignore[override]
     def T(self) -> numpy.ndarray:  # noqa: N802  (numpy's name)
         """The transposed array."""
         return _plain(self).T

@@ -1,7 +1,6 @@
-"""The exception of the package, and warnings for messages of the library."""
+"""The exception and the warning of the package."""
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
@@ -40,8 +39,3 @@ class Error(Exception):
 
     def __reduce__(self):  # allows pickling, so that errors of worker processes keep all their members
         return Error, (str(self), self.kind, [tuple(one) for one in self.mistakes])
-
-
-def warn(text: str, level: int = 3) -> None:
-    """Passes a message on to Python's warnings."""
-    warnings.warn(text, Warning, stacklevel=level)

@@ -9,6 +9,7 @@ import numpy
 
 from ._array import Array
 from ._errors import Error
+from ._export import Export
 from ._pictures import Image
 
 if TYPE_CHECKING:
@@ -58,6 +59,32 @@ class Frame:
         return self.image()._repr_png_()
 
 
+def _fitted(name, values, dtype):
+    """Returns values as an array of a type, without gaps. Raises Error for values that the type cannot hold."""
+    if dtype.names:
+        if set(values.dtype.names or ()) != set(dtype.names):
+            raise Error(f"{name} holds structures with the members {', '.join(dtype.names)}; take a copy, change members "
+                        "of it, and assign it")
+        fitted = numpy.zeros(values.shape, dtype)
+        for member in dtype.names:
+            fitted[member] = _fitted(f"{name}.{member}", values[member], dtype[member].base)
+        return fitted
+    if values.dtype.kind not in ("fiub" if dtype.kind == "f" else "iub"):
+        raise Error(f"{name} holds {dtype}, not {values.dtype}")
+    with numpy.errstate(all="ignore"):
+        fitted = numpy.ascontiguousarray(values, dtype)
+    if dtype.kind in "iu" and values.size:
+        least, most = numpy.iinfo(dtype).min, numpy.iinfo(dtype).max
+        for value in (values.min(), values.max()):
+            if not least <= int(value) <= most:
+                raise Error(f"{name} holds {dtype}, and {value} does not fit")
+    elif dtype.kind == "f":
+        beyond = ~numpy.isfinite(fitted) & numpy.isfinite(values)
+        if beyond.any():
+            raise Error(f"{name} holds {dtype}, and {values[beyond].flat[0]} does not fit")
+    return fitted
+
+
 class Object:
     """Object of a scene at the present frame.
 
@@ -65,6 +92,9 @@ class Object:
     so take a copy to change numbers in it. Assigning writes the state back, and the scene goes on from there.
     `scene["flag"]["positions"]` is the same.
     """
+
+    _scene: Scene
+    name: str
 
     def __init__(self, scene: Scene, name: str) -> None:
         object.__setattr__(self, "_scene", scene)
@@ -95,13 +125,7 @@ class Object:
             values = numpy.broadcast_to(values, shape)
         if values.shape != shape:
             raise Error(f"{self.name}.{array} has the shape {shape}, not {values.shape}")
-        if values.dtype.kind not in ("fiub" if dtype.kind == "f" else "iub"):
-            raise Error(f"{self.name}.{array} holds {dtype}, not {values.dtype}")
-        if dtype.kind == "u" and values.size:
-            for value in (values.min(), values.max()):
-                if not 0 <= int(value) <= numpy.iinfo(dtype).max:
-                    raise Error(f"{self.name}.{array} holds {dtype}, and {value} does not fit")
-        self._scene._native.write(self.name, array, numpy.ascontiguousarray(values, dtype))
+        self._scene._native.write(self.name, array, _fitted(f"{self.name}.{array}", values, dtype))
         self._scene._steps += 1
 
     def __getattr__(self, array: str) -> numpy.ndarray:
@@ -125,6 +149,16 @@ class Object:
             return [*super().__dir__(), *self.arrays]
         except Error:
             return super().__dir__()
+
+    def export(self, array: str, member: str | None = None) -> Export:
+        """Returns a copy of a state array, or of a member of its structures, for PyTorch, JAX and others (DLPack).
+
+        The copy stays on the card if OpenGL and CUDA share it, and goes through host memory otherwise: Export.path says
+        which.
+        """
+        if array not in self.arrays:
+            raise KeyError(self._unknown(array))
+        return Export(self, array, member)
 
     def measure(self) -> dict[str, float]:
         """Returns what the object measures, such as energies, as a dict."""

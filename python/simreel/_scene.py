@@ -5,6 +5,7 @@ import json
 import operator
 import os
 import pathlib
+import sys
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -12,13 +13,15 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from . import _arguments, _native
-from ._errors import Error, warn
+from ._errors import Error
 from ._folder import folder_of
 from ._frame import Frame, Object
+from ._messages import Reporting, report, warn
 from ._pictures import Image, Video
 from ._progress import Bar
 
 if TYPE_CHECKING:
+    from ._serve import View
     from ._types import SceneDict
     Source = SceneDict | str | os.PathLike[str]
     Numbers = str | int | Iterable[int] | None
@@ -91,13 +94,6 @@ class _Kernels:
         return Error(message, error.kind, mistakes)
 
 
-def _report(level=4):
-    """Turns the library's warnings into Python's."""
-    for kind, text in _native.messages():
-        if kind == "warning":
-            warn(text, level)
-
-
 class Scene:
     """A scene on the device, at frame 0 at first.
 
@@ -108,16 +104,16 @@ class Scene:
 
     def __init__(self, *, changes: Mapping[str, Any] | None = None, assets: Iterable[str | os.PathLike[str]] = (),
                  motion: bool = False, **sections: Any) -> None:
-        self._start(sections, changes, assets, motion, 4)
+        self._start(sections, changes, assets, motion)
 
     @classmethod
     def _from(cls, source: Source, changes: Mapping[str, Any] | None, assets: Iterable[str | os.PathLike[str]],
               motion: bool) -> Scene:
         scene = cls.__new__(cls)
-        scene._start(source, changes, assets, motion, 5)
+        scene._start(source, changes, assets, motion)
         return scene
 
-    def _start(self, source, changes, assets, motion, level):
+    def _start(self, source, changes, assets, motion):
         self._kernels = _Kernels()
         self._changes = _pairs(changes)
         if isinstance(assets, (str, os.PathLike)):
@@ -130,18 +126,24 @@ class Scene:
                 self._assets.append(self._kernels.folder)
             self._source, self._text = None, json.dumps(given, default=_plain, indent=1)
             try:
-                self._native = _native.parse(self._text, "<scene>", self._changes, self._assets, motion)
+                loaded = _native.parse(self._text, "<scene>", self._changes, self._assets, motion)
             except Error as error:
                 raise self._kernels.renamed(error) from None
+            finally:
+                report()
         else:
             self._source, self._text = _arguments.path("a scene that is no dict", source), None
-            self._native = _native.load(self._source, self._changes, self._assets, motion)
+            try:
+                loaded = _native.load(self._source, self._changes, self._assets, motion)
+            finally:
+                report()
+        self._native = Reporting(loaded)
         self._kinds = self._native.objects()
         self._arrays = None
-        self._steps = 0  # number of changes that have made earlier Frame objects invalid
+        self._views: list[View] = []
+        self._steps = 0  # counts what makes earlier frames invalid
         for remark in self._native.remarks():
-            warn(remark, level)
-        _report(level + 1)
+            warn(remark)
 
     # Description
 
@@ -193,7 +195,6 @@ class Scene:
             raise Error(f"step({frames}) would go back; restart() the scene, or restore() a snapshot")
         self._steps += 1
         number, seconds = self._native.advance_by(frames)
-        _report()
         return Frame(self, number, seconds)
 
     def advance_to(self, number: int) -> Frame:
@@ -201,7 +202,6 @@ class Scene:
         number = _arguments.frame_number("the frame", number)
         self._steps += 1
         number, seconds = self._native.advance_to(number)
-        _report()
         return Frame(self, number, seconds)
 
     def restart(self) -> None:
@@ -280,9 +280,7 @@ class Scene:
 
     def image(self) -> Image:
         """Draws the present frame: the bytes of `simreel render`."""
-        picture = self._native.picture().view(Image)
-        _report()
-        return picture
+        return self._native.picture().view(Image)
 
     def layers(self, names: str | Iterable[str]) -> dict[str, numpy.ndarray]:
         """Draws layers of the present frame: a dict of arrays.
@@ -321,10 +319,38 @@ class Scene:
         The files are those of `simreel render`. `manifest`: writes manifest.json and run.json beside the pictures;
         None: for folders.
         """
-        output = _arguments.path("output", output) + ("/" if isinstance(output, pathlib.Path) and not output.suffix else "")
+        place = _arguments.path("output", output) + ("/" if isinstance(output, pathlib.Path) and not output.suffix else "")
         if manifest is None:
-            manifest = output.endswith("/")
-        return self._native.render(output, _frames_text(frames), overwrite, manifest)
+            manifest = place.endswith("/")
+        return self._native.render(place, _frames_text(frames), overwrite, manifest)
+
+    def serve(self, *, height: int = 720, port: int = 0, bind: str = "127.0.0.1") -> View:
+        """Shows the scene live: a notebook embeds the page, and a terminal prints its address.
+
+        The page begins at the present frame with the present state, also if that was written, and can play on, turn the
+        camera and change values. View.update() shows the scene's present state later. The page belongs to another process
+        on the same machine, and never changes this scene or its file. It ends with the scene. `height`: of the page in a
+        notebook, in pixels. `port`: 0 for any free one. `bind`: IP address to listen at.
+        """
+        from ._serve import View
+        words = [self._source] if self._source is not None else [str(self._scene_file())]
+        for path, value in self._changes:
+            words += ["-D", f"{path}={value}"]
+        for folder in self._assets + ([os.getcwd()] if self._source is None else []):
+            words += ["--assets", folder]
+        words += ["--port", str(_arguments.integer("port", port)), "--bind", _arguments.text("bind", bind)]
+        view = View(self, words, _arguments.integer("height", height))
+        self._views.append(view)
+        if sys.stdout.isatty():
+            print(f"Open {view.url}")
+        return view
+
+    def _scene_file(self) -> pathlib.Path:
+        """Returns a file with the text of a scene that was no file."""
+        file = pathlib.Path(folder_of(self, "scene")) / "scene.json"
+        assert self._text is not None
+        file.write_text(self._text, encoding="utf-8")
+        return file
 
     def video(self, frames: Numbers = None) -> Video:
         """Renders a video that a notebook shows. Needs ffmpeg."""
@@ -336,6 +362,9 @@ class Scene:
     def close(self) -> None:
         """Releases the memory on the device now, instead of when Python forgets the scene."""
         self._steps += 1
+        for view in self._views:
+            view.close()
+        self._views.clear()
         self._native.close()
 
     def __enter__(self) -> Scene:

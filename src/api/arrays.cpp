@@ -6,7 +6,6 @@
 #include "sim/core/carry_over.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <string_view>
@@ -27,17 +26,45 @@ struct Meaning {
 };
 constexpr Meaning meanings[] = {{"positions", "m", 3}, {"velocities", "m/s", 3}, {"trends", "m/s", 3}};
 
-/// Returns the meaning of an array. Arrays of users' kernels have no known meaning, because users choose
-/// their names.
-Meaning meaningOf(std::string_view kind, std::string_view array) {
-  if (kind != "kernels")
-    for (const Meaning& one : meanings)
-      if (one.name == array) return one;
+/// Returns the meaning of an array. Users' kernels choose the names of their arrays.
+Meaning meaningOf(std::string_view array) {
+  for (const Meaning& one : meanings)
+    if (one.name == array) return one;
   return {array, "", elementWords};
 }
 
-NumberType typeOf(const sim::StateArray& array) {
-  return array.integers ? NumberType::uint32 : NumberType::float32;
+NumberType typeOf(sim::StateMember::Number number) {
+  switch (number) {
+    case sim::StateMember::Number::float64:
+      return NumberType::float64;
+    case sim::StateMember::Number::int32:
+      return NumberType::int32;
+    case sim::StateMember::Number::uint32:
+      return NumberType::uint32;
+    case sim::StateMember::Number::float32:
+      break;
+  }
+  return NumberType::float32;
+}
+
+const char* nameOf(NumberType type) {
+  constexpr const char* names[] = {"float32", "float64", "int32", "uint32", "uint8"};
+  return names[static_cast<std::size_t>(type)];
+}
+
+std::size_t bytesOf(sim::StateMember::Number number) {
+  return number == sim::StateMember::Number::float64 ? 8 : wordBytes;
+}
+
+std::size_t product(const std::vector<std::size_t>& shape) {
+  std::size_t count = 1;
+  for (const std::size_t extent : shape) count *= extent;
+  return count;
+}
+
+/// True if the elements are numbers, not structures.
+bool isPlain(const sim::StateLayout& layout) {
+  return layout.members.size() == 1 && layout.members.front().name.empty();
 }
 
 /// Finds the buffers that a simulation keeps from frame to frame, and can write into one of them.
@@ -67,13 +94,15 @@ ArrayVisitor visit(sim::World& world, std::string_view object) {
   return visitor;
 }
 
-/// Writes elements of four words, in the layout of the array.
-void store(const sim::StateArray& array, gl::Buffer& buffer, const std::vector<std::uint32_t>& words) {
-  if (array.planes.count == 0) return buffer.write(0, std::as_bytes(std::span(words)));
+/// Writes all bytes of an array, whose elements are consecutive, in the array's layout on the device.
+void store(const sim::StateArray& array, gl::Buffer& buffer, const std::vector<std::byte>& bytes) {
+  if (array.planes.count == 0) return buffer.write(0, bytes);
   const auto each = static_cast<std::size_t>(array.planes.elements);
-  std::vector<std::uint32_t> apart(each * static_cast<std::size_t>(array.planes.count));
-  for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = words[elementWords * (i % each) + i / each];
-  buffer.write(array.planes.part.offset, std::as_bytes(std::span(apart)));
+  std::vector<std::byte> apart(each * static_cast<std::size_t>(array.planes.count) * wordBytes);
+  for (std::size_t i = 0; i < apart.size() / wordBytes; ++i)
+    std::memcpy(&apart[i * wordBytes], &bytes[(elementWords * (i % each) + i / each) * wordBytes],
+                wordBytes);
+  buffer.write(array.planes.part.offset, apart);
 }
 
 std::string indexText(std::size_t number, const std::vector<std::size_t>& shape) {
@@ -83,18 +112,43 @@ std::string indexText(std::size_t number, const std::vector<std::size_t>& shape)
   return text;
 }
 
-/// Throws Error(usage) for the first value that is NaN or infinite. A value is allowed if `present`
-/// (elements of four words) has the same bits at the same index.
-void requireFinite(const std::string& name, const std::vector<std::size_t>& shape,
-                   std::span<const std::byte> values, const std::vector<std::uint32_t>& present) {
-  for (std::size_t i = 0; i < values.size() / wordBytes; ++i) {
-    float value = 0;
-    std::memcpy(&value, values.data() + i * wordBytes, wordBytes);
-    if (std::isfinite(value) || std::bit_cast<std::uint32_t>(value) ==
-                                    present[elementWords * (i / shape.back()) + i % shape.back()])
-      continue;
-    api::fail(ErrorKind::usage, fmt::format("{}[{}] is {}; a state takes only finite numbers", name,
-                                            indexText(i, shape), std::isnan(value) ? "NaN" : "infinite"));
+template <class T>
+T valueAt(const std::byte* at) {
+  T value{};
+  std::memcpy(&value, at, sizeof value);
+  return value;
+}
+
+/// Returns a description of the first number of a member that is NaN or infinite and that has other bits in
+/// `present`; empty if there is none.
+std::string notFinite(const sim::StateMember& member, const std::byte* given, const std::byte* present) {
+  using Number = sim::StateMember::Number;
+  if (member.number != Number::float32 && member.number != Number::float64) return {};
+  const std::size_t each = bytesOf(member.number);
+  for (std::size_t i = 0; i < product(member.shape); ++i, given += each, present += each) {
+    const double value = each == wordBytes ? valueAt<float>(given) : valueAt<double>(given);
+    if (std::isfinite(value) || std::memcmp(given, present, each) == 0) continue;
+    return fmt::format("{}] is {}; a state takes only finite numbers",
+                       member.shape.empty() ? "" : ", " + indexText(i, member.shape),
+                       std::isnan(value) ? "NaN" : "infinite");
+  }
+  return {};
+}
+
+/// Copies values into the bytes of an array, member by member, so that bytes between members stay.
+/// `sourceStride`: bytes from one element's values to the next. Throws Error(usage) for values that are not
+/// finite.
+void fill(std::vector<std::byte>& bytes, const sim::StateLayout& layout, std::span<const std::byte> values,
+          std::size_t sourceStride, const std::string& name) {
+  for (std::size_t i = 0; i < product(layout.shape); ++i) {
+    for (const sim::StateMember& member : layout.members) {
+      const std::byte* const from = values.data() + i * sourceStride + member.offset;
+      std::byte* const to = bytes.data() + layout.offset + i * layout.stride + member.offset;
+      if (const std::string problem = notFinite(member, from, to); !problem.empty())
+        api::fail(ErrorKind::usage, fmt::format("{}{}{}[{}{}", name, member.name.empty() ? "" : ".",
+                                                member.name, indexText(i, layout.shape), problem));
+      std::memcpy(to, from, product(member.shape) * bytesOf(member.number));
+    }
   }
 }
 
@@ -108,84 +162,157 @@ std::vector<std::size_t> denseStrides(const std::vector<std::size_t>& shape, std
   return strides;
 }
 
-Array toArray(const sim::StateArray& state, const ArrayInfo& info) {
-  Array array{info.name, info.unit, info.type, info.shape, {}, {}};
-  array.strides = denseStrides(array.shape, wordBytes);
-  // Each element has four words. The last axis covers only the words that the array's name describes.
-  std::size_t stride = elementWords * wordBytes;
-  for (std::size_t i = array.shape.size() - 1; i-- > 0;) {
-    array.strides[i] = stride;
-    stride *= array.shape[i];
-  }
-  array.bytes = state.readAll<std::byte>();
-  return array;
-}
-
 }  // namespace api
 
-const ArrayInfo& Scene::State::infoOf(std::string_view object, std::string_view array) {
-  for (const ArrayInfo& one : arrays())
-    if (one.object == object && one.name == array) return one;
+const Scene::State::Described& Scene::State::describedArray(std::string_view object,
+                                                            std::string_view array) {
+  for (const Described& one : arrays())
+    if (one.info.object == object && one.info.name == array) return one;
   SIMREEL_CHECK(false);
 }
 
-ArrayInfo Scene::State::describe(std::size_t object, const sim::StateArray& array) const {
-  const Meaning meaning = meaningOf(scene->objects[object].kind, array.name);
-  const auto elements = static_cast<std::size_t>(array.elements());
-  ArrayInfo info{
-      world->objectName(object), array.name, std::string(meaning.unit), typeOf(array), {elements}, false};
-  // If a cloth is a grid, it is drawn as a grid with the same elements, so the grid gives the array's
-  // shape.
-  const sim::Drawables drawables = world->drawables();
-  for (const sim::Surface& surface : drawables.surfaces) {
-    const auto columns = static_cast<std::size_t>(surface.grid.x),
-               rows = static_cast<std::size_t>(surface.grid.y);
-    if (meaning.components == 3 && sim::objectName(surface) == info.object && columns * rows == elements)
-      info.shape = {rows, columns};
-  }
-  info.shape.push_back(meaning.components);
-  return info;
-}
-
-const std::vector<ArrayInfo>& Scene::State::arrays() {
-  if (!infos_.empty()) return infos_;
-  complete();
-  for (std::size_t i = 0; i < world->objectCount(); ++i) {
-    const ArrayVisitor visitor = visit(*world, world->objectName(i));
-    for (const sim::StateArray& array : world->object(i).state()) {
-      infos_.push_back(describe(i, array));
-      infos_.back().writable = visitor.of(array) != nullptr;
+/// Describes an array. `own`: the simulation's layout; null: elements of four words.
+Scene::State::Described Scene::State::describe(std::size_t object, const sim::StateArray& array,
+                                               const sim::StateLayout* own) const {
+  Described made;
+  made.info = {world->objectName(object), array.name, {}, {}, {}, false, {}, 0};
+  if (own != nullptr) {
+    made.layout = *own;
+  } else {
+    using Number = sim::StateMember::Number;
+    const Meaning meaning = meaningOf(array.name);
+    const auto elements = static_cast<std::size_t>(array.elements());
+    made.info.unit = meaning.unit;
+    made.layout.shape = {elements};
+    made.layout.members = {
+        {"", array.integers ? Number::uint32 : Number::float32, {meaning.components}, 0}};
+    // A cloth of a grid is drawn as a grid of the same elements.
+    const sim::Drawables drawables = world->drawables();
+    for (const sim::Surface& surface : drawables.surfaces) {
+      const auto columns = static_cast<std::size_t>(surface.grid.x),
+                 rows = static_cast<std::size_t>(surface.grid.y);
+      if (meaning.components == 3 && sim::objectName(surface) == made.info.object &&
+          columns * rows == elements)
+        made.layout.shape = {rows, columns};
     }
   }
-  return infos_;
+  made.info.shape = made.layout.shape;
+  if (isPlain(made.layout)) {
+    const sim::StateMember& number = made.layout.members.front();
+    made.info.type = typeOf(number.number);
+    made.info.shape.insert(made.info.shape.end(), number.shape.begin(), number.shape.end());
+    return made;
+  }
+  made.info.type = NumberType::uint8;
+  made.info.elementBytes = made.layout.stride;
+  for (const sim::StateMember& member : made.layout.members)
+    made.info.members.push_back({member.name, typeOf(member.number), member.shape, member.offset});
+  return made;
+}
+
+const std::vector<Scene::State::Described>& Scene::State::arrays() {
+  if (!arrays_.empty()) return arrays_;
+  complete();
+  for (std::size_t i = 0; i < world->objectCount(); ++i) {
+    const sim::Simulation& simulation = world->object(i);
+    const ArrayVisitor visitor = visit(*world, world->objectName(i));
+    std::vector<sim::StateLayout> layouts;
+    if (const auto* laidOut = dynamic_cast<const sim::LaidOut*>(&simulation)) layouts = laidOut->layouts();
+    const std::vector<sim::StateArray> state = simulation.state();
+    for (std::size_t k = 0; k < state.size(); ++k) {
+      arrays_.push_back(describe(i, state[k], layouts.empty() ? nullptr : &layouts.at(k)));
+      arrays_.back().info.writable = visitor.of(state[k]) != nullptr;
+    }
+  }
+  return arrays_;
+}
+
+Array Scene::State::read(std::string_view object, std::string_view array) {
+  complete();
+  const sim::StateArray state = arrayOf(object, array);
+  const Described& described = describedArray(object, array);
+  const sim::StateLayout& layout = described.layout;
+  Array made{described.info.name,   described.info.unit, described.info.type, described.info.shape, {}, {},
+             described.info.members};
+  made.strides = api::denseStrides(layout.shape, layout.stride);
+  if (isPlain(layout)) {
+    const sim::StateMember& number = layout.members.front();
+    const auto inner = api::denseStrides(number.shape, bytesOf(number.number));
+    made.strides.insert(made.strides.end(), inner.begin(), inner.end());
+  }
+  made.bytes = state.readAll<std::byte>();
+  const auto begin = made.bytes.begin() + static_cast<std::ptrdiff_t>(layout.offset);
+  made.bytes.erase(made.bytes.begin(), begin);
+  made.bytes.resize(product(layout.shape) * layout.stride);
+  return made;
+}
+
+std::optional<DeviceArray> Scene::State::readOnDevice(std::string_view object, std::string_view array,
+                                                      std::string_view member) {
+  complete();
+  const sim::StateArray state = arrayOf(object, array);
+  const sim::StateLayout& layout = describedArray(object, array).layout;
+  const auto found = std::find_if(layout.members.begin(), layout.members.end(),
+                                  [&](const sim::StateMember& one) { return one.name == member; });
+  if (found == layout.members.end()) {
+    std::string known;
+    for (const sim::StateMember& one : layout.members) known += (known.empty() ? "" : ", ") + one.name;
+    api::fail(ErrorKind::usage, fmt::format("{}.{} has no member \"{}\"; it has {}", object, array, member,
+                                            isPlain(layout) ? "none" : known));
+  }
+  api::Cuda& cuda = device->openCuda();
+  if (!cuda.problem().empty()) return std::nullopt;
+  DeviceArray made;
+  made.type = typeOf(found->number);
+  made.device = cuda.device();
+  made.shape = layout.shape;
+  made.shape.insert(made.shape.end(), found->shape.begin(), found->shape.end());
+  const sim::Planes& planes = state.planes;
+  if (planes.count > 0) {
+    if (product(found->shape) > static_cast<std::size_t>(planes.count)) return std::nullopt;
+    const auto each = static_cast<std::size_t>(planes.elements) * wordBytes;
+    made.strides = api::denseStrides(layout.shape, wordBytes);
+    made.strides.push_back(each);
+    made.memory =
+        cuda.copyOf(*planes.part.buffer, planes.part.offset, each * static_cast<std::size_t>(planes.count));
+    return made;
+  }
+  made.strides = api::denseStrides(layout.shape, layout.stride);
+  const auto inner = api::denseStrides(found->shape, bytesOf(found->number));
+  made.strides.insert(made.strides.end(), inner.begin(), inner.end());
+  made.offset = found->offset;
+  made.memory = cuda.copyOf(*state.buffer, layout.offset, product(layout.shape) * layout.stride);
+  return made;
 }
 
 void Scene::State::write(std::string_view object, std::string_view array, std::span<const std::byte> values,
-                         bool integers) {
+                         std::optional<NumberType> type) {
   complete();
   const sim::StateArray state = arrayOf(object, array);
-  const std::vector<std::size_t> shape = infoOf(object, array).shape;
-  std::size_t count = 1;
-  for (const std::size_t extent : shape) count *= extent;
-  if (integers != state.integers)
+  const Described& described = describedArray(object, array);
+  const sim::StateLayout& layout = described.layout;
+  const std::string name = fmt::format("{}.{}", object, array);
+  const bool plain = isPlain(layout);
+  if (plain != type.has_value() || (plain && *type != described.info.type))
     api::fail(ErrorKind::usage,
-              fmt::format("{}.{} holds {} numbers", object, array, state.integers ? "uint32" : "float32"));
-  if (values.size() != count * wordBytes)
-    api::fail(ErrorKind::usage, fmt::format("{}.{} takes {} numbers, not {}", object, array, count,
-                                            values.size() / wordBytes));
+              fmt::format("{} holds {}", name,
+                          plain ? nameOf(described.info.type) + std::string(" numbers") : "structures"));
+  const std::size_t each =
+      plain ? product(layout.members.front().shape) * bytesOf(layout.members.front().number)
+            : layout.stride;
+  const std::size_t count = product(layout.shape),
+                    unit = plain ? each / product(layout.members.front().shape) : 1;
+  if (values.size() != count * each)
+    api::fail(ErrorKind::usage, fmt::format("{} takes {} {}, not {}", name, count * each / unit,
+                                            plain ? "numbers" : "bytes", values.size() / unit));
   gl::Buffer* buffer = visit(*world, object).of(state);
   if (buffer == nullptr)
     api::fail(ErrorKind::usage,
-              fmt::format("{}.{} is computed in each frame from other arrays, so it cannot be written",
-                          object, array));
-  const std::size_t components = shape.back();
-  std::vector<std::uint32_t> words = state.readAll<std::uint32_t>();
-  if (!integers) requireFinite(fmt::format("{}.{}", object, array), shape, values, words);
-  for (std::size_t i = 0; i < count; ++i)
-    std::memcpy(&words[elementWords * (i / components) + i % components], values.data() + i * wordBytes,
-                wordBytes);
-  gl::beforeWrites();  // Kernels that read the current state may still be running.
-  store(state, *buffer, words);
+              fmt::format("{} is computed in each frame from other arrays, so it cannot be written", name));
+  std::vector<std::byte> bytes = state.readAll<std::byte>();
+  fill(bytes, layout, values, each, name);
+  gl::beforeWrites();  // kernels that read the present state may still be running
+  store(state, *buffer, bytes);
   world->resumeAt(world->frame());
   changed = true;
   movedTo_.reset();

@@ -1,6 +1,5 @@
 #pragma once
 #include "api/simreel/values.hpp"
-#include "sim/core/state_array.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -10,9 +9,6 @@ namespace simreel::api {
 /// Returns the strides in bytes of an array without gaps.
 [[nodiscard]] std::vector<std::size_t> denseStrides(const std::vector<std::size_t>& shape,
                                                     std::size_t numberBytes);
-
-/// Copies a state array from the device.
-[[nodiscard]] Array toArray(const sim::StateArray& state, const ArrayInfo& info);
 
 /// Makes an array without gaps from numbers of four bytes.
 template <class T>

@@ -66,11 +66,20 @@ Device::State::~State() {
   if (isForked()) {  // In a forked process, neither the worker thread nor the driver's threads exist.
     static_cast<void>(worker.release());
     static_cast<void>(context.release());
+    static_cast<void>(new std::shared_ptr<api::Cuda>(std::move(cuda)));  // never released
     return;
   }
-  release([this] { context.reset(); });
+  release([this] {
+    cuda.reset();
+    context.reset();
+  });
   worker.reset();
   setMessageTaker({});
+}
+
+api::Cuda& Device::State::openCuda() {
+  if (!cuda) cuda = std::make_shared<api::Cuda>();
+  return *cuda;
 }
 
 bool Device::State::isForked() const {
@@ -157,6 +166,9 @@ std::string Device::driver() const {
 }
 bool Device::isSoftware() const {
   return state_->context->device().software;
+}
+std::string Device::whyThroughHost() const {
+  return state_->run([this] { return state_->openCuda().problem(); });
 }
 void Device::interrupt() {
   frame::setInterrupt(SIGINT);

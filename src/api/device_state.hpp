@@ -1,4 +1,5 @@
 #pragma once
+#include "api/cuda.hpp"
 #include "api/simreel/device.hpp"
 #include "api/worker.hpp"
 #include "gl/context.hpp"
@@ -41,7 +42,11 @@ struct Device::State {
 
   DeviceOptions options;
   pid_t process;
+  /// Returns the CUDA driver on the context's card. Runs on the device's thread.
+  [[nodiscard]] api::Cuda& openCuda();
+
   std::unique_ptr<gl::Context> context;
+  std::shared_ptr<api::Cuda> cuda;  ///< null until openCuda()
   sim::Numerics numerics;
   std::mutex mutex;  ///< guards `hook` and `messages`
   std::function<bool()> hook;

@@ -77,7 +77,7 @@ std::vector<Array> Scene::layers(const std::vector<std::string>& names) {
       chosen.push_back(layerNamed(name));
       if (!chosen.back()) continue;
       const bool moves = *chosen.back() == Layer::velocity || *chosen.back() == Layer::vector;
-      if (moves && !state_->source.motion)
+      if (moves && !state_->motion)
         api::fail(ErrorKind::usage,
                   fmt::format("the layer \"{}\" needs the frame before; load the scene with motion", name));
       wanted.push_back(*chosen.back());

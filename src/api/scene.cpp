@@ -3,11 +3,15 @@
 #include "api/arrays.hpp"
 #include "api/failure.hpp"
 #include "api/scene_state.hpp"
+#include "base/hash.hpp"
 #include "batch/render/render_job.hpp"
+#include "frame/file/checkpoint.hpp"
 #include "frame/image.hpp"
 #include "frame/interrupt.hpp"
 #include "golden/suite/scene_run.hpp"
+#include "scene/shipped_scene.hpp"
 #include "sim/grid/field_values.hpp"
+#include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"
 
 #include <algorithm>
@@ -39,13 +43,13 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 Scene Scene::load(const Device& device, const std::string& file, const LoadOptions& options) {
-  auto state = std::make_unique<State>(device.state(), file, nullptr, options);
+  auto state = std::make_unique<State>(device.state(), api::inputOf(file, {}, options), options.motion);
   state->begin();
   return Scene(std::move(state));
 }
 Scene Scene::parse(const Device& device, const std::string& text, const std::string& name,
                    const LoadOptions& options) {
-  auto state = std::make_unique<State>(device.state(), name, &text, options);
+  auto state = std::make_unique<State>(device.state(), api::inputOf(name, text, options), options.motion);
   state->begin();
   return Scene(std::move(state));
 }
@@ -115,20 +119,33 @@ std::string Scene::stateHash() {
 }
 
 std::vector<ArrayInfo> Scene::arrays() {
-  return state_->device->run([this] { return state_->arrays(); });
-}
-Array Scene::read(std::string_view object, std::string_view array) {
-  return state_->device->run([&] {
-    state_->complete();
-    const sim::StateArray state = state_->arrayOf(object, array);
-    return api::toArray(state, state_->infoOf(object, array));
+  return state_->device->run([this] {
+    std::vector<ArrayInfo> infos;
+    for (const State::Described& one : state_->arrays()) infos.push_back(one.info);
+    return infos;
   });
 }
+Array Scene::read(std::string_view object, std::string_view array) {
+  return state_->device->run([&] { return state_->read(object, array); });
+}
+std::optional<DeviceArray> Scene::readOnDevice(std::string_view object, std::string_view array,
+                                               std::string_view member) {
+  return state_->device->run([&] { return state_->readOnDevice(object, array, member); });
+}
 void Scene::write(std::string_view object, std::string_view array, std::span<const float> values) {
-  state_->device->run([&] { state_->write(object, array, std::as_bytes(values), false); });
+  state_->device->run([&] { state_->write(object, array, std::as_bytes(values), NumberType::float32); });
+}
+void Scene::write(std::string_view object, std::string_view array, std::span<const double> values) {
+  state_->device->run([&] { state_->write(object, array, std::as_bytes(values), NumberType::float64); });
+}
+void Scene::write(std::string_view object, std::string_view array, std::span<const std::int32_t> values) {
+  state_->device->run([&] { state_->write(object, array, std::as_bytes(values), NumberType::int32); });
 }
 void Scene::write(std::string_view object, std::string_view array, std::span<const std::uint32_t> values) {
-  state_->device->run([&] { state_->write(object, array, std::as_bytes(values), true); });
+  state_->device->run([&] { state_->write(object, array, std::as_bytes(values), NumberType::uint32); });
+}
+void Scene::write(std::string_view object, std::string_view array, std::span<const std::byte> structures) {
+  state_->device->run([&] { state_->write(object, array, structures, std::nullopt); });
 }
 
 std::vector<std::string> Scene::fields() {
@@ -190,6 +207,16 @@ Mesh Scene::mesh(std::string_view object) {
   });
 }
 
+void Scene::saveState(const std::string& file) {
+  state_->device->run([&] {
+    state_->complete();
+    frame::RunInfo run;
+    run.numerics = state_->scene->numerics == scene::Numerics::exact ? "exact" : "fast";
+    run.fingerprint = state_->device->numerics.fingerprint;
+    run.simulation = hashHex(state_->simulationHash());
+    frame::Checkpoint::write(file, run, state_->stateHash, "", *state_->world);
+  });
+}
 Snapshot Scene::snapshot() {
   return state_->device->run([this] {
     state_->complete();
@@ -213,11 +240,11 @@ std::vector<CheckResult> Scene::check(const std::vector<int>& frames) {
   if (!drawn.empty() && *drawn.begin() < 0)
     api::fail(ErrorKind::usage, fmt::format("frames count from 0; there is no frame {}", *drawn.begin()));
   return state_->device->run([&] {
-    const std::unique_ptr<scene::Scene> tested = state_->read(true);
-    static_cast<void>(sim::frameMotion(*tested));
+    scene::Scene tested = state_->input.loadForTest(sim::kinds());
+    static_cast<void>(sim::frameMotion(tested));
     std::vector<CheckResult> results;
     const std::vector<int> inOrder(drawn.begin(), drawn.end());
-    for (const golden::CheckResult& one : golden::runScene(*tested, inOrder).checks)
+    for (const golden::CheckResult& one : golden::runScene(tested, inOrder).checks)
       results.push_back({one.what, one.frame, one.value.value_or(std::numeric_limits<double>::quiet_NaN()),
                          one.passed, one.message});
     return results;
@@ -233,10 +260,7 @@ std::string Scene::render(const std::string& output, const RenderOptions& option
           "restart() the scene");
     const auto began = Clock::now();
     batch::RenderRequest request;
-    request.scene = state_->source.name;
-    request.text = state_->source.text;
-    request.overrides = state_->source.changes;
-    request.assets = state_->source.assets;
+    request.input = state_->input;
     request.output = output;
     request.frames = options.frames;
     request.existing = options.overwrite ? frame::Existing::overwrite : frame::Existing::error;
@@ -246,6 +270,17 @@ std::string Scene::render(const std::string& output, const RenderOptions& option
     if (job.run(*state_->device->context, progress, began).signal != 0) throw frame::Interrupted{SIGINT};
     return job.summary();
   });
+}
+
+std::vector<std::string> validate(const std::string& file, const LoadOptions& options,
+                                  const std::optional<std::string>& text) {
+  try {
+    scene::SceneInput input = api::inputOf(file, text, options);
+    if (!text) input.file = scene::sceneFile(file);
+    return input.load(sim::kinds()).remarks;
+  } catch (...) {
+    api::rethrowAsError(std::current_exception());
+  }
 }
 
 std::vector<std::byte> encodePng(const Picture& picture) {

@@ -5,7 +5,6 @@
 #include "frame/draw_world.hpp"
 #include "frame/interrupt.hpp"
 #include "scene/as_run.hpp"
-#include "scene/load.hpp"
 #include "scene/shipped_scene.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/world/list.hpp"
@@ -29,22 +28,23 @@ std::exception_ptr endedMidway() {
 
 }  // namespace
 
-Scene::State::State(std::shared_ptr<Device::State> on, std::string name, const std::string* text,
-                    const LoadOptions& how)
-    : device(std::move(on)) {
-  source.name = std::move(name);
-  if (text != nullptr) source.text = *text;
-  for (const Change& change : how.changes) source.changes.push_back({change.path, change.value});
-  for (const std::string& folder : how.assets) source.assets.emplace_back(folder);
-  source.motion = how.motion;
+scene::SceneInput api::inputOf(std::string file, std::optional<std::string> text,
+                               const LoadOptions& options) {
+  scene::SceneInput input{std::move(file), std::move(text), {}, {}};
+  for (const Change& change : options.changes) input.overrides.push_back({change.path, change.value});
+  for (const std::string& folder : options.assets) input.assets.emplace_back(folder);
+  return input;
 }
+
+Scene::State::State(std::shared_ptr<Device::State> on, scene::SceneInput source, bool keepsMotion)
+    : device(std::move(on)), input(std::move(source)), motion(keepsMotion) {}
 
 void Scene::State::begin() {
   device->run([this] {
-    if (!source.text) source.name = scene::sceneFile(source.name);
-    scene = read(false);
+    if (!input.text) input.file = scene::sceneFile(input.file.string());
+    scene = std::make_unique<scene::Scene>(input.load(sim::kinds()));
     sim::requireExact(*scene, device->numerics);
-    if (source.motion && scene->render.rasterizer != scene::Rasterizer::exact)
+    if (motion && scene->render.rasterizer != scene::Rasterizer::exact)
       api::fail(ErrorKind::usage,
                 "motion: only the exact rasterizer has layers; leave render.rasterizer out");
     makeWorld();
@@ -74,20 +74,8 @@ Scene::State::~State() {
   device->release([held = std::move(remains)] { *held = {}; });
 }
 
-std::unique_ptr<scene::Scene> Scene::State::read(bool tested) const {
-  const auto& kinds = sim::kinds();
-  if (source.text)
-    return std::make_unique<scene::Scene>(
-        scene::parseScene(*source.text, source.name, source.changes, kinds, source.assets));
-  return std::make_unique<scene::Scene>(
-      tested ? scene::loadTestScene(source.name, source.changes, kinds, source.assets)
-             : scene::loadScene(source.name, source.changes, kinds, source.assets));
-}
-
 std::string Scene::State::simulationHash() const {
-  const std::string asRun = source.text ? scene::textAsRun(*source.text, source.name, source.changes)
-                                        : scene::sceneAsRun(source.name, source.changes, sim::kinds());
-  return scene::simulationHash(asRun) + scene->filesHash;
+  return scene::simulationHash(input.asRun(sim::kinds())) + scene->filesHash;
 }
 
 template <class Work>
@@ -118,7 +106,7 @@ void Scene::State::makeWorld() {
 
 /// Builds the world and simulates the pre-roll.
 void Scene::State::buildWorld() {
-  const bool moves = scene->camera.shutter || source.motion;
+  const bool moves = scene->camera.shutter || motion;
   if (moves && !placed_) static_cast<void>(sim::frameMotion(*scene, frame::throwIfInterrupted));
   placed_ = placed_ || moves;
   summaries.reset();
@@ -134,7 +122,7 @@ void Scene::State::buildWorld() {
     renderer_.reset();
     layerRenderer_.reset();
     if (scene->camera.shutter) makeRenderer();
-    if (source.motion) makeLayerRenderer();
+    if (motion) makeLayerRenderer();
     follow();
   }
   if (world->firstFrame() < 0)
@@ -263,8 +251,7 @@ void Scene::State::makeRenderer() {
 void Scene::State::makeLayerRenderer() {
   if (!layerRenderer_)
     layerRenderer_ = std::make_unique<draw::Renderer>(*scene, scene->render.size, scene->render.samples);
-  if (source.motion)
-    layerRenderer_->keepLayers({{draw::Layer::velocity, draw::Layer::vector}, false, 32, true});
+  if (motion) layerRenderer_->keepLayers({{draw::Layer::velocity, draw::Layer::vector}, false, 32, true});
 }
 
 /// Frame 0 has no preceding frame, and nothing moves in it.
@@ -307,7 +294,7 @@ draw::PictureLayers Scene::State::layers(const std::vector<draw::Layer>& wanted)
   frame::drawWorld(*layerRenderer_, *world);
   draw::PictureLayers layers = layerRenderer_->takeLayers();
   layerObjects = layers.objects;
-  if (source.motion)  // Makes the next step store the preceding frame.
+  if (motion)  // so that the next step keeps the frame before
     layerRenderer_->keepLayers({{draw::Layer::velocity, draw::Layer::vector}, false, 32, true});
   return layers;
 }

@@ -6,6 +6,8 @@
 #include "frame/file/world_state.hpp"
 #include "frame/summaries.hpp"
 #include "scene/scene.hpp"
+#include "scene/scene_input.hpp"
+#include "sim/core/state_layout.hpp"
 #include "sim/world/world.hpp"
 
 #include <exception>
@@ -23,27 +25,23 @@ struct Snapshot::State {
   bool changed = false;  ///< true if write() has changed the state
 };
 
-/// A scene on the device. All functions except the constructor and begin() run on the device's thread.
+namespace api {
+
+/// Returns the input of a scene. `text`: its text; nullopt: it is read from the file.
+[[nodiscard]] scene::SceneInput inputOf(std::string file, std::optional<std::string> text,
+                                        const LoadOptions& options);
+
+}  // namespace api
+
+/// A scene on the device. All functions but the constructor and begin() run on the device's thread.
 struct Scene::State {
-  /// Stores the source of the scene. If `text` is null, the scene is read from the file `name`.
-  State(std::shared_ptr<Device::State> on, std::string name, const std::string* text,
-        const LoadOptions& how);
+  /// Stores the source of the scene.
+  State(std::shared_ptr<Device::State> on, scene::SceneInput source, bool keepsMotion);
   ~State();
   /// Reads the scene and creates its world. Must be called on the calling thread of the library.
   void begin();
   State(const State&) = delete;
   State& operator=(const State&) = delete;
-
-  /// Source of the scene. It is stored so that the scene can be read again.
-  struct Source {
-    std::string name;
-    std::optional<std::string> text;
-    std::vector<scene::Override> changes;
-    std::vector<std::filesystem::path> assets;
-    bool motion = false;
-  };
-  /// Reads the scene again. `tested`: true to include the test settings of the sidecar.
-  [[nodiscard]] std::unique_ptr<scene::Scene> read(bool tested) const;
 
   void restart();
   void advanceTo(int frame);
@@ -54,19 +52,27 @@ struct Scene::State {
   void requireState() const;
   [[nodiscard]] std::size_t indexOf(std::string_view object) const;
   [[nodiscard]] sim::StateArray arrayOf(std::string_view object, std::string_view array) const;
-  /// Returns the description of a state array. The array must exist.
-  [[nodiscard]] const ArrayInfo& infoOf(std::string_view object, std::string_view array);
+  /// A state array: its description, and its layout in its buffer.
+  struct Described {
+    ArrayInfo info;
+    sim::StateLayout layout;
+  };
   /// Describes all state arrays. They are the same in all frames, so they are described once.
-  [[nodiscard]] const std::vector<ArrayInfo>& arrays();
+  [[nodiscard]] const std::vector<Described>& arrays();
+  [[nodiscard]] Array read(std::string_view object, std::string_view array);
+  [[nodiscard]] std::optional<DeviceArray> readOnDevice(std::string_view object, std::string_view array,
+                                                        std::string_view member);
+  /// Replaces a state array. `type`: type of the values; nullopt: they are structures.
   void write(std::string_view object, std::string_view array, std::span<const std::byte> values,
-             bool integers);
+             std::optional<NumberType> type);
   [[nodiscard]] Picture picture();
   [[nodiscard]] draw::PictureLayers layers(const std::vector<draw::Layer>& wanted);
   void restore(const Snapshot::State& from);
   [[nodiscard]] std::string simulationHash() const;
 
   std::shared_ptr<Device::State> device;
-  Source source;
+  scene::SceneInput input;  ///< source of the scene, from which it can be read again
+  bool motion = false;      ///< as LoadOptions::motion
   std::unique_ptr<scene::Scene> scene;
   std::unique_ptr<sim::World> world;
   std::unique_ptr<frame::Summaries> summaries;
@@ -83,15 +89,17 @@ struct Scene::State {
   /// Runs work that changes the state or waits for it. If the state is lost, stores the error.
   template <class Work>
   void keepLoss(const Work& work);
-  [[nodiscard]] ArrayInfo describe(std::size_t object, const sim::StateArray& array) const;
+  [[nodiscard]] Described describe(std::size_t object, const sim::StateArray& array,
+                                   const sim::StateLayout* own) const;
+  [[nodiscard]] const Described& describedArray(std::string_view object, std::string_view array);
   void follow();
   void placeCamera();
   void makeRenderer();
   void makeLayerRenderer();
   void requireMotion(const draw::Renderer& renderer, const char* what) const;
 
-  std::vector<ArrayInfo> infos_;  ///< descriptions of all state arrays; empty until they are first needed
-  /// Error that ended the state, until restart() or restore(). Null if the scene has a state.
+  std::vector<Described> arrays_;  ///< empty: not described yet
+  /// Error that ended the state, until restart() or restore(). Null: the scene has a state.
   std::exception_ptr loss_;
   bool placed_ = false;
   std::unique_ptr<draw::Renderer> renderer_, layerRenderer_;

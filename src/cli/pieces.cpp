@@ -76,11 +76,11 @@ batch::PiecePlan planOf(const PiecesRequest& request) {
   // what exists on disk at that time.
   plan.output = fs::absolute(render.output).lexically_normal().string();
   if (job.output().wholeFolder && !plan.output.ends_with('/')) plan.output += '/';
-  if (render.scene != "-")
-    plan.assets.push_back(fs::absolute(render.scene).lexically_normal().parent_path());
-  for (const fs::path& folder : render.assets)
+  if (render.input.file != "-")
+    plan.assets.push_back(fs::absolute(render.input.file).lexically_normal().parent_path());
+  for (const fs::path& folder : render.input.assets)
     plan.assets.push_back(fs::absolute(folder).lexically_normal());
-  plan.overrides = render.overrides;
+  plan.overrides = render.input.overrides;
   plan.fields = render.fields.value_or("");
   plan.counts = render.counts;
   plan.pieces = batch::splitFrames(job.frames(), request.pieces);
@@ -94,8 +94,7 @@ bool isWhole(const batch::PiecePlan& plan, const PiecesRequest& request) {
     return false;
   try {
     const auto manifest = frame::readManifest(output.manifestFile());
-    const std::string asRun =
-        scene::sceneAsRun(request.render.scene, request.render.overrides, sim::kinds());
+    const std::string asRun = request.render.input.asRun(sim::kinds());
     if (!manifest || manifest->run.asRunHash != hashHex(asRun)) return false;
     const bool video = output.kind == frame::OutputName::Kind::video;
     const auto frames = plan.allFrames();
@@ -112,7 +111,7 @@ bool isWhole(const batch::PiecePlan& plan, const PiecesRequest& request) {
 
 void storePlan(const batch::PiecePlan& plan, const PiecesRequest& request,
                const frame::OutputName& output) {
-  const std::string scene = scene::readSceneSource(request.render.scene, sim::kinds()).first;
+  const std::string scene = scene::readSceneSource(request.render.input.file, sim::kinds()).first;
   const std::string text = planText(plan);
   if (request.render.existing == frame::Existing::resume && pathExists(plan.planFile())) {
     if (readFile(plan.planFile(), "plan") == text && readFile(plan.sceneFile(), "scene") == scene) return;

@@ -102,9 +102,7 @@ batch::RenderRequest requestOf(const RenderOptions& o) {
   const bool onePicture = sim::isMeshFile(o.scene.file) && !o.frames && !o.scene.turn &&
                           (ending == ".png" || ending == ".exr") && o.output.find('#') == std::string::npos;
   return {
-      .scene = o.scene.file,
-      .overrides = std::move(changes),
-      .assets = assetFolders(o.scene.assets),
+      .input = {o.scene.file, {}, std::move(changes), assetFolders(o.scene.assets)},
       .output = o.output,
       .frames = onePicture ? "0" : o.frames,
       .existing = existingPolicy(o),

@@ -29,7 +29,9 @@ struct ServePageOptions {
   int memory = 1024;
   bool edit = false;
   std::string output;
+  std::string from;
   std::string other;
+  bool embed = false;
   std::vector<std::string> beside;
 };
 
@@ -65,6 +67,8 @@ void servePage(const ServePageOptions& o) {
   options.player.edit = o.edit;
   options.player.output = o.output;
   options.player.other = counterpart(o);
+  options.player.from = o.from;
+  options.embed = o.embed;
   options.address = o.address;
   options.port = o.port;
   frame::catchInterrupts();
@@ -88,6 +92,11 @@ void addServe(CLI::App& app) {
                    "Override a value on the right side only: path=value, repeatable; without a second "
                    "scene the right side shows the same scene")
       ->allow_extra_args(false);
+  command->add_option("--from", o->from,
+                      "Begin at this checkpoint instead of at the scene's start; any run of the same "
+                      "simulation can have written it. The page follows its changes");
+  command->add_flag("--embed", o->embed,
+                    "Let other pages that know the address show this page in a frame, as notebooks do");
   command->add_option("--port", o->port, "Port to listen at; 0: any that is free")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();

@@ -44,7 +44,7 @@ int serveScene(ServeOptions options, const gl::Context& context) {
   Hub hub;
   Player player(std::move(options.player), context, hub);
   const Server server(
-      {options.address, options.port,
+      {options.address, options.port, options.embed,
        [&](std::string_view name) -> std::unique_ptr<Content> {
          const auto found = all.find(name);
          if (found != all.end()) return std::make_unique<Content>(found->second);

@@ -10,6 +10,7 @@ struct ServeOptions {
   PlayerOptions player;
   std::string address = "127.0.0.1";  ///< IP address to listen on
   int port = 0;                       ///< TCP port; 0 to use any free port
+  bool embed = false;                 ///< true if other pages may show the page in a frame
   std::string token;                  ///< secret token in the address; empty to generate a random one
 };
 

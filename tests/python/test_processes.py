@@ -3,15 +3,19 @@ import json
 import multiprocessing
 import os
 import pathlib
+import re
 import resource
 import signal
+import socket
 import subprocess
 import sys
 import threading
 import time
 import unittest
+import urllib.parse
+import urllib.request
 
-from module_case import CLOTH, ModuleCase, PROGRAM, numpy, simreel
+from module_case import CLOTH, ModuleCase, PROGRAM, numpy, picture_of, simreel
 
 SLOW = {"objects.flag.cloth.size": [96, 96], "objects.flag.cloth.substeps": 64}
 
@@ -164,8 +168,99 @@ class Sweeps(ModuleCase):
         rows = sweep.rows()
         self.assertEqual([row["seed"] for row in rows], [0, 1, 2])
         self.assertEqual(sweep._repr_png_()[:4], b"\x89PNG")
-        with self.assertRaisesRegex(simreel.Error, "sed"):
-            simreel.sweep(self.folder / "scene.json", {"sed": [1]}, frames=1)
+
+    def test_a_sweep_has_a_row_for_each_job_and_frame(self):
+        scene = {"version": 2, "objects": {"flag": {"cloth": CLOTH}}, "render": {"size": [64, 36]}, "time": {"fps": 30, "duration": 0.2}}
+        sweep = simreel.sweep(scene, {"objects.flag.cloth.gravity": [[0, -9.8, 0], [0, 0, 0]]}, frames=0, pair=True)
+        rows = sweep.rows(frames=[0, 3])
+        self.assertEqual([(row["job"], row["frame"]) for row in rows], [(0, 0), (0, 3), (1, 0), (1, 3)])
+        with simreel.load(scene) as alone:
+            alone.advance_to(3)
+            wanted = {f"flag.{name}": value for name, value in alone["flag"].measure().items()}
+        self.assertTrue(wanted)
+        self.assertEqual({name: rows[1][name] for name in wanted}, wanted)
+        (last,) = sweep.rows("last")[:1]
+        self.assertEqual((last["job"], last["frame"]), (0, 5))
+
+    def test_errors_of_sweeps_have_their_place(self):
+        file = self.folder / "scene.json"
+        with self.assertRaises(simreel.Error) as raised:
+            simreel.sweep(file, {"objects.flag.cloth.fabrik": ["silk"]}, frames=1)
+        self.assertEqual((raised.exception.kind, raised.exception.path, raised.exception.suggestion),
+                         ("scene", "objects.flag.cloth.fabrik", "fabric"))
+        with self.assertRaises(simreel.Error) as raised:
+            simreel.sweep(file, {"seed": [1, 2], "objects.flag.cloth.fabric": ["silk", "slk"]}, frames=1)
+        self.assertEqual(raised.exception.path, "objects.flag.cloth.fabric")
+        file.write_text(file.read_text().replace('"cloth"', '"clth"'))
+        with self.assertRaises(simreel.Error) as raised:
+            simreel.sweep(file, {"seed": [1]}, frames=1)
+        self.assertEqual((raised.exception.file, raised.exception.suggestion), (str(file), "cloth"))
+        self.assertGreater(raised.exception.line, 0)
+        for values, message in (({"seed": []}, "there are no values of seed"), ({"seed": "12"}, "the values of seed are a list")):
+            with self.assertRaisesRegex((simreel.Error, TypeError), message):
+                simreel.sweep(file, values)
+        with self.assertRaisesRegex(simreel.Error, "jobs is at least 1"):
+            simreel.sweep(file, {"seed": [1]}, jobs=0)
+
+    def test_sweeps_of_several_threads_do_not_meet(self):
+        found = {}
+
+        def work(i):
+            found[i] = simreel.sweep(self.folder / "scene.json", {"seed": [i, i + 10]}, jobs=2, frames=1)
+        scene = self.scene()
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(2)]
+        for thread in threads:
+            thread.start()
+        scene.step(5)
+        for thread in threads:
+            thread.join()
+        self.assertEqual({i: [row["seed"] for row in one.rows()] for i, one in found.items()}, {0: [0, 10], 1: [1, 11]})
+
+
+class Views(ModuleCase):
+    def viewer(self, view):
+        from serve_client import Viewer
+        port, token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/(\w+)/", view.url).groups()
+        viewer = Viewer(int(port), token)
+        self.addCleanup(viewer.close)
+        return viewer
+
+    def test_a_view_shows_the_written_state_and_ends_with_the_scene(self):
+        scene = self.scene()
+        scene.step(2)
+        scene["flag"].positions += 0.25
+        with scene.serve() as view:
+            self.assertIn(f'<iframe src="{view.url}"', view._repr_html_())
+            with urllib.request.urlopen(view.url) as page:
+                self.assertNotIn("frame-ancestors", str(page.headers))
+            viewer = self.viewer(view)
+            about, picture = viewer.rest(2)
+            self.assertEqual((about["frame"], about["state"]), (2, scene.state_hash))
+            self.assert_same(picture_of(picture)[..., :3], numpy.asarray(scene.image()))
+            viewer.send(do="seek", frame=0)  # not before the state that the view began with
+            viewer.send(do="seek", frame=4)
+            self.assertEqual(viewer.rest(4)[0]["state"], scene.advance_to(4).state_hash)
+            scene["flag"].velocities = 1
+            view.update()
+            written = scene.state_hash
+            viewer.until(lambda kind, message: kind == "picture" and message[0]["state"] == written)
+        self.assertFalse(view.running)
+        other = scene.serve()
+        scene.close()
+        self.assertFalse(other.running)
+        self.assertIn("ended", other._repr_html_())
+
+    def test_a_view_ends_with_python_also_if_that_is_killed(self):
+        code = ("import os, signal, simreel\nscene = simreel.Scene(objects={'flag': {'cloth': {'size': [9, 7]}}})\n"
+                "print(scene.serve().url, flush=True)\nos.kill(os.getpid(), signal.SIGKILL)")
+        done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, check=False)
+        address = urllib.parse.urlparse(done.stdout.strip())
+        for _ in range(200):
+            with socket.socket() as probe:
+                if probe.connect_ex((address.hostname, address.port)) != 0:
+                    return
+            time.sleep(0.05)
+        self.fail("the server still listens")
 
 
 if __name__ == "__main__":

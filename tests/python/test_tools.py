@@ -92,6 +92,23 @@ class Types(ModuleCase):
         self.assertIn("fabrik", found[0])
 
 
+    def test_the_examples_of_the_guide_have_the_right_types(self):
+        """Takes 15 s."""
+        for page in ("18-python", "19-analysing"):
+            text = (SOURCE / f"assets/guide/{page}.md").read_text(encoding="utf-8")
+            for name, code in re.findall(r"^```python\n# (\w+\.py)\n(.*?)^```", text, re.M | re.S):
+                self.write(name, code.replace("fabrik", "fabric"))
+        files = sorted(file.name for file in self.folder.glob("*.py"))
+        self.assertGreater(len(files), 8)
+        done = run("mypy", "--strict", *files, folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_the_module_itself_has_no_wrong_types(self):
+        """Takes 10 s."""
+        done = run("mypy", "-p", "simreel", folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+
 @unittest.skipUnless(importlib.util.find_spec("nbconvert") and importlib.util.find_spec("ipykernel"), "no nbconvert")
 class Notebook(ModuleCase):
     def test_the_notebook_runs(self):

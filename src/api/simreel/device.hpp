@@ -34,7 +34,10 @@ class SIMREEL_API Device {
   [[nodiscard]] std::string name() const;    ///< name of the device (GL_RENDERER)
   [[nodiscard]] std::string driver() const;  ///< version of the driver (GL_VERSION)
   [[nodiscard]] bool isSoftware() const;     ///< true if the CPU draws
-  /// Ends the running call at its next frame with Error(interrupted). The scene remains usable.
+  /// Returns why state arrays reach other libraries only through CPU memory (Scene::readOnDevice); empty if
+  /// they stay on the card.
+  [[nodiscard]] std::string whyThroughHost() const;
+  /// Ends the running call at its next frame with Error(interrupted). The scene can be used further.
   void interrupt();
   /// Sets a function that is called about ten times a second while a call waits, on the thread of that
   /// call. If the function returns true, the call ends as if interrupt() had been called. An empty function

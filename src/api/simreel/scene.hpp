@@ -101,12 +101,21 @@ class SIMREEL_API Scene {
   [[nodiscard]] std::vector<ArrayInfo> arrays();
   /// Copies a state array from the device.
   [[nodiscard]] Array read(std::string_view object, std::string_view array);
-  /// Replaces a state array. `values`: one value per entry of the array's shape, with the last axis
-  /// fastest. Other numbers of the elements, such as the w of positions, stay unchanged. Throws
-  /// Error(usage) for NaN and infinity, unless the array already has the same bits at this index.
+  /// Copies a state array, or one member of its structures, on the card, for other libraries that use CUDA.
+  /// Returns nothing if the state is not on a CUDA device or not stored as one array there; read() then is
+  /// the way. Throws Error(usage) for a member that does not exist, and for structures without `member`.
+  [[nodiscard]] std::optional<DeviceArray> readOnDevice(std::string_view object, std::string_view array,
+                                                        std::string_view member = {});
+  /// Replaces a state array. `values`: as many as the array's shape has, the last axis fastest; for an
+  /// array of structures, their bytes, ArrayInfo::elementBytes for each. Numbers beside them, such as the w
+  /// of positions, stay. Throws Error(usage) for NaN and infinity, unless the array has the same bits there
+  /// already.
   void write(std::string_view object, std::string_view array, std::span<const float> values);
+  void write(std::string_view object, std::string_view array, std::span<const double> values);
+  void write(std::string_view object, std::string_view array, std::span<const std::int32_t> values);
   void write(std::string_view object, std::string_view array, std::span<const std::uint32_t> values);
-  /// Returns the names of the fields. A field is a grid of cells with one value each.
+  void write(std::string_view object, std::string_view array, std::span<const std::byte> structures);
+  /// Returns the names of the fields: grids of cells with one value each.
   [[nodiscard]] std::vector<std::string> fields();
   /// Copies a field's values from the device. The array has the shape (rows, columns) and the type float32,
   /// as in files of --fields.
@@ -117,6 +126,9 @@ class SIMREEL_API Scene {
   /// Returns the mesh of an object. Throws Error(usage) if the object has no mesh.
   [[nodiscard]] Mesh mesh(std::string_view object);
 
+  /// Writes the present state to a file, a checkpoint as `simreel render --checkpoint-at` writes them, from
+  /// which `simreel serve --from` and `simreel render --from` go on. Throws Error(inputOutput).
+  void saveState(const std::string& file);
   [[nodiscard]] Snapshot snapshot();
   /// Continues from a state of this scene, or of a scene with the same simulations.
   void restore(const Snapshot& snapshot);
@@ -144,6 +156,11 @@ class SIMREEL_API Scene {
   explicit Scene(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// Reads a scene as Scene::load() does, or as Scene::parse() if there is `text`, and throws the same
+/// Error(scene) for mistakes. Needs no device. Returns the warnings about the scene's text.
+SIMREEL_API std::vector<std::string> validate(const std::string& file, const LoadOptions& options = {},
+                                              const std::optional<std::string>& text = std::nullopt);
 
 /// Encodes a picture as PNG.
 [[nodiscard]] SIMREEL_API std::vector<std::byte> encodePng(const Picture& picture);

@@ -1,25 +1,36 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace simreel {
 
 /// Type of an array's numbers, in the byte order of the machine.
-enum class NumberType { float32, uint32, uint8 };
+enum class NumberType { float32, float64, int32, uint32, uint8 };
 
-/// Array of numbers in CPU memory. The caller owns the memory. Axes run from slowest to fastest. An element
-/// may occupy more bytes than its axis describes, so use `strides`.
-struct Array {
-  std::string name;  ///< name of the array, such as "positions", or of a field or layer
-  std::string unit;  ///< unit, such as "m" or "m/s"; empty if unknown or mixed
+/// Member of the structures in an array, as in a buffer of a user's kernels.
+struct Member {
+  std::string name;  ///< path in the shader, such as "material.color"
   NumberType type = NumberType::float32;
-  std::vector<std::size_t> shape;    ///< length of each axis, for example rows, columns, 3
-  std::vector<std::size_t> strides;  ///< distance in bytes between consecutive entries along each axis
-  std::vector<std::byte> bytes;
+  std::vector<std::size_t> shape;  ///< empty for one number
+  std::size_t offset = 0;          ///< bytes from the start of the structure
+};
 
-  /// Returns the number at `index`, which has one entry per axis. T must be the type that `type` names.
+/// Array of numbers or structures in CPU memory, which the caller owns. Axes run from slowest to fastest.
+/// An element may occupy more bytes than its axis describes, so use `strides`.
+struct Array {
+  std::string name;                       ///< "positions", or the name of a field or layer
+  std::string unit;                       ///< "m", "m/s" or empty if unknown or mixed
+  NumberType type = NumberType::float32;  ///< type of the numbers; unused if there are members
+  std::vector<std::size_t> shape;         ///< for example rows, columns, 3; without an axis for members
+  std::vector<std::size_t> strides;       ///< bytes from one entry of each axis to the next
+  std::vector<std::byte> bytes;
+  std::vector<Member> members = {};  ///< members of the structures; empty for an array of numbers
+
+  /// Returns the number or structure at an index of each axis. The type T must be the one that `type`
+  /// names, or a structure with these members.
   template <class T>
   [[nodiscard]] const T& at(const std::vector<std::size_t>& index) const {
     std::size_t offset = 0;
@@ -28,12 +39,24 @@ struct Array {
   }
 };
 
+/// Copy of an array of numbers in the memory of a CUDA device.
+struct DeviceArray {
+  NumberType type = NumberType::float32;
+  std::vector<std::size_t> shape;
+  std::vector<std::size_t> strides;  ///< bytes from one entry of each axis to the next
+  std::shared_ptr<void> memory;      ///< address on the device; freed with its last owner
+  std::size_t offset = 0;            ///< bytes from `memory` to the first number
+  int device = 0;                    ///< number of the CUDA device
+};
+
 /// Description of a state array.
 struct ArrayInfo {
   std::string object, name, unit;
-  NumberType type = NumberType::float32;
+  NumberType type = NumberType::float32;  ///< as in Array
   std::vector<std::size_t> shape;
-  bool writable = false;  ///< false if the simulation computes the array from other arrays
+  bool writable = false;         ///< false if the simulation computes the array from others
+  std::vector<Member> members;   ///< members of the structures; empty for an array of numbers
+  std::size_t elementBytes = 0;  ///< bytes from one structure to the next; 0 for an array of numbers
 };
 
 /// Picture with 8 bits per channel, sRGB encoded, with rows from the top.

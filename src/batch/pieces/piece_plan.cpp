@@ -78,9 +78,7 @@ frame::OutputName PiecePlan::pieceOutput(std::size_t piece) const {
 
 RenderRequest PiecePlan::simulation(const std::string& command) const {
   RenderRequest request;
-  request.scene = sceneFile();
-  request.overrides = overrides;
-  request.assets = assets;
+  request.input = {sceneFile(), {}, overrides, assets};
   request.output = folder.string() + "/";
   request.frames = "none";
   request.existing = frame::Existing::resume;
@@ -91,9 +89,7 @@ RenderRequest PiecePlan::simulation(const std::string& command) const {
 
 RenderRequest PiecePlan::drawing(std::size_t piece, const std::string& command) const {
   RenderRequest request;
-  request.scene = sceneFile();
-  request.overrides = overrides;
-  request.assets = assets;
+  request.input = {sceneFile(), {}, overrides, assets};
   request.output = pieceOutputText(piece);
   request.frames = frame::framesText({pieces.at(piece).frames.begin(), pieces.at(piece).frames.end()});
   request.existing = frame::Existing::resume;

@@ -10,7 +10,6 @@
 #include "frame/sink/open_sink.hpp"
 #include "gl/machine.hpp"
 #include "scene/as_run.hpp"
-#include "scene/load.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"
@@ -22,23 +21,10 @@ namespace simreel::batch {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-scene::Scene sceneOf(const RenderRequest& request) {
-  if (request.text)
-    return scene::parseScene(*request.text, request.scene, request.overrides, sim::kinds(), request.assets);
-  return scene::loadScene(request.scene, request.overrides, sim::kinds(), request.assets);
-}
-
-std::string asRunOf(const RenderRequest& request) {
-  if (request.text) return scene::textAsRun(*request.text, request.scene, request.overrides);
-  return scene::sceneAsRun(request.scene, request.overrides, sim::kinds());
-}
-
-}  // namespace
-
 RenderJob::RenderJob(RenderRequest request)
-    : request_(std::move(request)), scene_(sceneOf(request_)), asRun_(asRunOf(request_)) {
+    : request_(std::move(request)),
+      scene_(request_.input.load(sim::kinds())),
+      asRun_(request_.input.asRun(sim::kinds())) {
   chooseFrames();
   output_ = frame::parseOutput(request_.output, frames_.size());
   chooseManifest();
@@ -147,9 +133,9 @@ frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {
   sim::requireExact(scene_, numerics);
   const auto machine = gl::machineOf(context);
   std::vector<std::string> folders;
-  if (request_.scene != "-")
-    folders.push_back(fs::absolute(request_.scene).lexically_normal().parent_path().string());
-  for (const fs::path& folder : request_.assets)
+  if (request_.input.file != "-")
+    folders.push_back(fs::absolute(request_.input.file).lexically_normal().parent_path().string());
+  for (const fs::path& folder : request_.input.assets)
     folders.push_back(fs::absolute(folder).lexically_normal().string());
   return {
       .title = scene_.title,

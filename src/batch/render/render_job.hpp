@@ -7,6 +7,7 @@
 #include "frame/sink/sequence.hpp"
 #include "gl/context.hpp"
 #include "scene/scene.hpp"
+#include "scene/scene_input.hpp"
 
 #include <filesystem>
 #include <map>
@@ -19,11 +20,7 @@ namespace simreel::batch {
 
 /// Input of one run. A run is a `simreel render`, a sweep's job, or a piece of a sequence.
 struct RenderRequest {
-  std::filesystem::path scene;  ///< path of the scene; "-" means standard input
-  /// Text of the scene; if nullopt, it is read from `scene`. With a text, `scene` is used only in messages.
-  std::optional<std::string> text = std::nullopt;
-  std::vector<scene::Override> overrides;
-  std::vector<std::filesystem::path> assets;  ///< additional folders for assets
+  scene::SceneInput input = {};
   std::string output;
   /// Argument of --frames. "none" draws nothing and simulates up to the last frame in checkpointAt.
   std::optional<std::string> frames;

@@ -184,11 +184,11 @@ RenderRequest renderingOf(const ReproduceRequest& request, const Wanted& wanted,
     fail(ExitCode::usage,
          "no as-run.json beside {}; give the scene with --scene FILE (changes of its values are recorded)",
          request.file.string());
-  render.scene = request.scene.empty() ? wanted.asRun : request.scene;
+  render.input.file = request.scene.empty() ? wanted.asRun : request.scene;
   if (!request.scene.empty())
     for (const std::string& change : wanted.overrides)
-      render.overrides.push_back(scene::parseOverride(change));
-  render.assets = request.assets;
+      render.input.overrides.push_back(scene::parseOverride(change));
+  render.input.assets = request.assets;
   render.output = place.output();
   render.frames = std::to_string(wanted.frame);
   render.existing = frame::Existing::overwrite;

@@ -164,9 +164,9 @@ void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, 
             const std::string& command, const fs::path& folder, JobEnd& end) {
   const auto began = Clock::now();
   RenderRequest request;
-  request.scene = plan.sceneFile();
-  request.overrides = plan.overridesOf(job);
-  request.assets = plan.assets;
+  request.input.file = plan.sceneFile();
+  request.input.overrides = plan.overridesOf(job);
+  request.input.assets = plan.assets;
   request.output = folder.string() + "/";
   if (!plan.frames.empty()) request.frames = plan.frames;
   if (!plan.fields.empty()) request.fields = plan.fields;
@@ -303,10 +303,10 @@ int makeShared(const SweepPlan& plan, const gl::Context& context, frame::Progres
                const std::string& command) {
   if (!lacksShared(plan)) return 0;
   RenderRequest request;
-  request.scene = plan.sceneFile();
-  // The values of any job can be used, because the varied values do not affect the simulation.
-  request.overrides = plan.overridesOf(0);
-  request.assets = plan.assets;
+  request.input.file = plan.sceneFile();
+  // The values of any job serve, because the varied values do not affect the simulation.
+  request.input.overrides = plan.overridesOf(0);
+  request.input.assets = plan.assets;
   request.output = plan.sharedFolder().string() + "/";
   request.frames = "none";
   request.checkpointAt = {*plan.sharedFrame};

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,9 +47,15 @@ struct BakeOptions {
 
 /// A file that is written for each baked frame, with the object's index, the file's name and format.
 struct BakedFile {
-  std::size_t object;
+  static constexpr std::size_t wholeScene = std::numeric_limits<std::size_t>::max();
+  std::size_t object;  ///< or wholeScene
   std::string name, format;
 };
+
+/// True if all objects are written into one file.
+bool isWhole(const BakeOptions& o) {
+  return o.format == "glb" && o.object.empty() && !o.sequence;
+}
 
 /// Returns the files of the object `o.object`, or of every object that can be written in the format. Throws
 /// UserError(usage) if there are no such files.
@@ -75,6 +82,8 @@ std::vector<BakedFile> bakedFiles(const sim::World& world, const BakeOptions& o)
   if (files.empty())
     fail(ExitCode::usage, "--object: there is no \"{}\" with {}; there is {}", o.object,
          contentsOf(o.format), names);
+  const std::string stem = o.scene.file == "-" ? "scene" : fs::path(o.scene.file).stem().string();
+  if (isWhole(o)) return {{BakedFile::wholeScene, stem, o.format}};
   return files;
 }
 
@@ -109,13 +118,15 @@ void settleSequence(BakeOptions& o) {
   o.sequence = o.sequence || (known && o.format != "glb");
 }
 
-/// Returns the comment lines about an object at the current frame.
+/// Returns the comment lines about an object, or about the whole scene, at the current frame.
 std::vector<std::string> commentsOn(const scene::Scene& scene, const sim::World& world,
                                     std::size_t object) {
   std::vector<std::string> comments = {
       fmt::format("simreel {}", version()), fmt::format("scene {}", scene.hash),
-      fmt::format("object {} frame {} time {:g} s seed {}", world.objectName(object), world.frame(),
-                  world.time(), scene.seed)};
+      fmt::format(
+          "{}frame {} time {:g} s seed {}",
+          object == BakedFile::wholeScene ? "" : fmt::format("object {} ", world.objectName(object)),
+          world.frame(), world.time(), scene.seed)};
   if (!scene.overrides.empty())
     comments.push_back("overrides " + oneLine(scene::asArguments(scene.overrides)));
   return comments;
@@ -132,11 +143,13 @@ void bakeFrames(const BakeOptions& o, const scene::Scene& scene, sim::World& wor
   int files = 0;
   for (const int frame : frames) {
     if (!simulateTo(world, frame, files)) return;
+    const auto pictures = [&](const scene::Material& material) { return skins.of(material); };
     for (const BakedFile& baked : all) {
-      writeFileAtomically(
-          fileOf(o, baked, frame),
-          stateFile(world, baked.object, baked.name, baked.format, commentsOn(scene, world, baked.object),
-                    [&](const scene::Material& material) { return skins.of(material); }));
+      const std::vector<std::string> comments = commentsOn(scene, world, baked.object);
+      writeFileAtomically(fileOf(o, baked, frame), baked.object == BakedFile::wholeScene
+                                                       ? sceneGlb(world, comments, pictures)
+                                                       : stateFile(world, baked.object, baked.name,
+                                                                   baked.format, comments, pictures));
       ++files;
     }
   }
@@ -204,7 +217,7 @@ void addBake(CLI::App& app) {
       ->add_option(
           "--format", o->format,
           "ply: points or meshes; obj: meshes; glb (binary glTF): meshes and particles with their "
-          "materials; "
+          "materials, all objects in one file if --object is left out; "
           "pc2, mdd: all frames of a mesh as a point cache, its first as obj beside it; svg, geojson: "
           "contours, and of caves the "
           "path and rooms; npy, pfm: values of fields, of caves the steps from the entrance too; rle: "

@@ -14,7 +14,9 @@
 #include "sim/world/shown_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
 
 namespace simreel::cli {
 
@@ -84,15 +86,33 @@ bool has(const sim::World& world, std::size_t object, const std::string& format)
   if (format == "pfm") return false;
   if (isContourFormat(format)) return simulation.lines().has_value();
   if (isMeshFormat(format))
-    return simulation.mesh().has_value() || (format == "glb" && sim::showsCopies(world, object));
+    return sim::showsMesh(world, object) || (format == "glb" && sim::showsCopies(world, object));
   if (format == "ply") return !simulation.points().columns.empty() || simulation.mesh();
   const char* own = simulation.stateFile().suffix;
   return own != nullptr && format == own;
 }
 
+frame::GlbObject glbObject(const sim::World& world, std::size_t object) {
+  frame::GlbObject made{world.objectName(object), {}, {}, sim::shownCopies(world, object)};
+  if (auto mesh = sim::shownMesh(world, object)) {
+    made.looks = sim::looksOfMesh(world, object, *mesh);
+    made.mesh = std::move(*mesh);
+  }
+  return made;
+}
+
 }  // namespace
 
+std::vector<std::byte> sceneGlb(const sim::World& world, std::span<const std::string> comments,
+                                const frame::SkinPicturesOf& skins) {
+  std::vector<frame::GlbObject> objects;
+  for (std::size_t i = 0; i < world.objectCount(); ++i)
+    if (has(world, i, "glb")) objects.push_back(glbObject(world, i));
+  return frame::encodeGlb(objects, comments, skins);
+}
+
 std::string formatFor(const sim::World& world, std::size_t object, const std::string& wanted) {
+  if (wanted == "ply" && sim::showsMesh(world, object)) return wanted;
   if (!wanted.empty()) return has(world, object, wanted) ? wanted : "";
   for (const char* format : {"rle", "ply", "npy"})
     if (has(world, object, format)) return format;
@@ -141,11 +161,8 @@ std::vector<std::byte> stateFile(const sim::World& world, std::size_t object, co
     const sim::PointTable table = simulation.points();
     return frame::encodeField(frame::FieldFormat::npy, shapeOf(table), table.values);
   }
-  const std::optional<sim::MeshTable> mesh = simulation.mesh();
-  if (format == "glb")
-    return frame::encodeGlb(mesh.value_or(sim::MeshTable()), name, comments,
-                            mesh ? sim::looksOfMesh(world, object, *mesh) : sim::MeshLooks(), skins,
-                            sim::shownCopies(world, object));
+  if (format == "glb") return frame::encodeGlb(std::array{glbObject(world, object)}, comments, skins);
+  const std::optional<sim::MeshTable> mesh = sim::shownMesh(world, object);
   if (format == "obj") return bytesOf(frame::encodeObj(*mesh, comments));
   const sim::PointTable table = simulation.points();
   const bool vertices =

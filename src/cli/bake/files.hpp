@@ -34,6 +34,11 @@ inline constexpr std::array<const char*, 8> stateFormats = {"ply", "obj", "glb",
                                                std::span<const std::string> comments,
                                                const frame::SkinPicturesOf& skins = {});
 
+/// Returns the contents of a glb file with all objects that have a mesh or copies of one, a node each.
+[[nodiscard]] std::vector<std::byte> sceneGlb(const sim::World& world,
+                                              std::span<const std::string> comments,
+                                              const frame::SkinPicturesOf& skins);
+
 /// Simulates up to `frame` without drawing the frames before it. Returns false after an interrupt, with a
 /// message that the `files` files written so far are complete.
 [[nodiscard]] bool simulateTo(sim::World& world, int frame, int files);

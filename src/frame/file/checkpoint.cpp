@@ -137,4 +137,8 @@ void Checkpoint::restore(sim::World& world) const {
           "checkpoint " + file_.string());
 }
 
+WorldState Checkpoint::state() const {
+  return {frame_, parts_, text_.substr(payload_ + countBytes_)};
+}
+
 }  // namespace simreel::frame

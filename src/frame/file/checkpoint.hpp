@@ -38,6 +38,8 @@ class Checkpoint {
   /// Restores the state into a world of the same scene. The world's current frame becomes frame(). If a
   /// part does not fit, throws UserError(usage), and the world is then unusable.
   void restore(sim::World& world) const;
+  /// Returns a copy of the state.
+  [[nodiscard]] WorldState state() const;
 
   [[nodiscard]] int frame() const { return frame_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }

@@ -60,6 +60,7 @@ void CountTable::add(const sim::World::Summary& summary) {
 }
 
 void CountTable::resume(std::string_view text) {
+  if (text.empty()) return;
   text_ = text;
   rows_ = std::count(text.begin(), text.end(), '\n') - 1;
 }

@@ -66,30 +66,41 @@ class CopyWriter {
   GltfMaterials& materials_;
 };
 
-}  // namespace
-
-std::vector<std::byte> encodeGlb(const sim::MeshTable& mesh, const std::string& name,
-                                 std::span<const std::string> comments, const sim::MeshLooks& looks,
-                                 const SkinPicturesOf& skins, std::span<const sim::ShownCopies> copies) {
-  const NamedVertices names(mesh);
-  const sim::MeshTable named = names.of(mesh);
-  sim::MeshLooks namedLooks = looks;
-  namedLooks.colors = names.of(looks.colors);
-  Json document = gltfDocument(name, comments);
-  GltfContents contents;
-  GltfMaterials materials(document, contents, skins);
+/// Adds an object's mesh and copies below its root node, the last node of the document.
+void addObject(Json& document, GltfContents& contents, GltfMaterials& materials, const GlbObject& object) {
+  const std::size_t root = document["nodes"].size() - 1;
+  const NamedVertices names(object.mesh);
+  const sim::MeshTable named = names.of(object.mesh);
+  sim::MeshLooks looks = object.looks;
+  looks.colors = names.of(object.looks.colors);
   bool empty = named.indices.empty();
   if (!empty) {
-    const std::vector<Json> primitives = addSurface(contents, named, namedLooks);
-    addMesh(document, name, primitives, materials.add(named, namedLooks, name));
+    const std::vector<Json> primitives = addSurface(contents, named, looks);
+    addMesh(document, object.name, primitives, materials.add(named, looks, object.name));
   }
   CopyWriter writer(document, contents, materials);
-  for (const sim::ShownCopies& one : copies) {
+  for (const sim::ShownCopies& one : object.copies) {
     if (!std::exchange(empty, false)) {
-      document["scenes"][0]["nodes"].push_back(document["nodes"].size());
-      document["nodes"].push_back({{"name", name + " copies"}});
+      document["nodes"][root]["children"].push_back(document["nodes"].size());
+      document["nodes"].push_back({{"name", object.name + " copies"}});
     }
     writer.add(one, document["nodes"].back()["name"]);
+  }
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeGlb(std::span<const GlbObject> objects, std::span<const std::string> comments,
+                                 const SkinPicturesOf& skins) {
+  Json document = gltfDocument(objects.empty() ? "empty" : objects.front().name, comments);
+  GltfContents contents;
+  GltfMaterials materials(document, contents, skins);
+  for (const GlbObject& object : objects) {
+    if (&object != objects.data()) {
+      document["scenes"][0]["nodes"].push_back(document["nodes"].size());
+      document["nodes"].push_back({{"name", object.name}});
+    }
+    addObject(document, contents, materials, object);
   }
   materials.finish();
   if (contents.layout.bytes() > 0) contents.layout.into(document);

@@ -10,16 +10,22 @@
 
 namespace simreel::frame {
 
-/// Encodes a mesh as binary glTF 2.0 (Khronos, "glTF 2.0 specification", 4.4 and 5). The file has one node
-/// with the mesh, which has a primitive and a material for each part. It contains positions, normals and
-/// 32-bit indices, and texture coordinates and linear colours if the mesh has them. Units are metres, y is
-/// up, and v = 0 is the top row of a texture. Drops vertices that no triangle uses. Each entry of `copies`
-/// becomes a further node with a mesh and the transforms of its copies (extension EXT_mesh_gpu_instancing;
-/// _COLOR_0 holds the linear colours of the copies). `comments` are written to asset.extras.
-[[nodiscard]] std::vector<std::byte> encodeGlb(const sim::MeshTable& mesh, const std::string& name,
+/// Object of a scene in a glTF file.
+struct GlbObject {
+  std::string name;
+  sim::MeshTable mesh = {};  ///< in world space; without triangles if the object shows only copies
+  sim::MeshLooks looks = {};
+  std::vector<sim::ShownCopies> copies = {};
+};
+
+/// Encodes objects as binary glTF 2.0 (Khronos, "glTF 2.0 specification", 4.4 and 5). Each object is a root
+/// node of its name with one mesh: a primitive and a material for each part, positions, normals, texture
+/// coordinates and linear colours if it has them, and 32-bit indices. Units are metres, y is up, v = 0 is
+/// the top row of a texture. Drops vertices that no triangle uses. Each of an object's copies is a mesh
+/// with the places of its copies (extension EXT_mesh_gpu_instancing; _COLOR_0 holds their linear colours),
+/// in the object's node if that has no mesh yet, otherwise in a child node. `comments` go to asset.extras.
+[[nodiscard]] std::vector<std::byte> encodeGlb(std::span<const GlbObject> objects,
                                                std::span<const std::string> comments,
-                                               const sim::MeshLooks& looks = {},
-                                               const SkinPicturesOf& skins = {},
-                                               std::span<const sim::ShownCopies> copies = {});
+                                               const SkinPicturesOf& skins = {});
 
 }  // namespace simreel::frame

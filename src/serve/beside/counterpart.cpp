@@ -68,7 +68,8 @@ bool Counterpart::update(const Stage& scene, const sim::Numerics& numerics, std:
     sim::requireExact(script->scene, numerics);
     placeCamera(*script, stage_ == nullptr ? nullptr : &stage_->script(), moving);
     if (stage_ != nullptr) return stage_->become(std::move(script), moving);
-    stage_ = std::make_unique<Stage>(std::move(script), memory);
+    stage_ =
+        std::make_unique<Stage>(std::move(script), memory, options_.ownFile ? nullptr : scene.origin());
     stage_->startLike(scene, frame);
   } catch (const UserError& error) {
     mistakes_ = error.what();

@@ -62,16 +62,22 @@ std::string headerText(lws* wsi, lws_token_indexes header) {
 
 constexpr const char* policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    "base-uri 'none'; form-action 'none'";
 
-constexpr std::array<std::pair<const char*, const char*>, 7> safeHeaders = {{
+constexpr std::array<std::pair<const char*, const char*>, 6> safeHeaders = {{
     {"content-security-policy:", policy},
     {"x-content-type-options:", "nosniff"},
-    {"x-frame-options:", "DENY"},
     {"referrer-policy:", "no-referrer"},
     {"cross-origin-resource-policy:", "same-origin"},
     {"cross-origin-opener-policy:", "same-origin"},
     {"cache-control:", "no-store"},
+}};
+
+/// Headers by which browsers do not show the page in a frame. A second content-security-policy header
+/// restricts the first.
+constexpr std::array<std::pair<const char*, const char*>, 2> unframedHeaders = {{
+    {"content-security-policy:", "frame-ancestors 'none'"},
+    {"x-frame-options:", "DENY"},
 }};
 
 }  // namespace
@@ -255,11 +261,15 @@ int Server::State::begin(lws* wsi, Connection& to, int status, const char* type,
   unsigned char* const end = buffer.data() + buffer.size() - 1;
   if (lws_add_http_common_headers(wsi, static_cast<unsigned>(status), type, body->size(), &at, end) != 0)
     return 1;
+  const auto add = [&](const char* header, const char* value) {
+    return lws_add_http_header_by_name(wsi, reinterpret_cast<const unsigned char*>(header),
+                                       reinterpret_cast<const unsigned char*>(value),
+                                       static_cast<int>(std::strlen(value)), &at, end) == 0;
+  };
   for (const auto& [header, value] : safeHeaders)
-    if (lws_add_http_header_by_name(wsi, reinterpret_cast<const unsigned char*>(header),
-                                    reinterpret_cast<const unsigned char*>(value),
-                                    static_cast<int>(std::strlen(value)), &at, end) != 0)
-      return 1;
+    if (!add(header, value)) return 1;
+  for (const auto& [header, value] : unframedHeaders)
+    if (!options.embed && !add(header, value)) return 1;
   if (lws_finalize_write_http_header(wsi, start, &at, end) != 0) return 1;
   to.body = std::move(body);
   to.sent = 0;

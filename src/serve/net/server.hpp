@@ -23,7 +23,8 @@ class Server {
  public:
   struct Options {
     std::string address = "127.0.0.1";
-    int port = 0;  ///< TCP port; 0 to use any free port
+    int port = 0;        ///< TCP port; 0 to use any free port
+    bool embed = false;  ///< true if other pages may show the page in a frame; false: browsers refuse it
     /// Returns the content for a name, or null if the name is unknown. Called on the server's thread. Must
     /// not throw.
     std::function<std::unique_ptr<Content>(std::string_view name)> find;

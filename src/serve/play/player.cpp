@@ -1,9 +1,11 @@
 #include "serve/play/player.hpp"
 
 #include "base/error.hpp"
+#include "base/hash.hpp"
 #include "base/log.hpp"
 #include "frame/interrupt.hpp"
 #include "golden/compare/difference_image.hpp"
+#include "scene/as_run.hpp"
 #include "scene/scene_source.hpp"
 #include "serve/play/jpeg.hpp"
 #include "sim/core/numerics.hpp"
@@ -40,6 +42,7 @@ Player::Player(PlayerOptions options, const gl::Context& context, Hub& hub)
       other_(options_.other) {
   tellAbout();
   readFile();
+  if (!options_.from.empty()) from_ = frame::Checkpoint::load(options_.from);
   if (load(text_, {}, false)) return;
   watch();
 }
@@ -79,6 +82,7 @@ void Player::showFiles() {
   try {
     readFile();
     other_.readFile();
+    readOrigin();
     load(text_, edits_, false);
   } catch (const UserError& error) {
     report(error.what());
@@ -104,6 +108,30 @@ void Player::readFile() {
   text_ = scene::readSceneSource(options_.source.file, sim::kinds()).first;
 }
 
+void Player::readOrigin() {
+  if (!from_) return;
+  frame::Checkpoint again = frame::Checkpoint::load(options_.from);
+  if (again.frame() == from_->frame() && again.stateHash() == from_->stateHash()) return;
+  from_ = std::move(again);
+  if (stage_ == nullptr) return;
+  const auto origin = std::make_shared<const frame::WorldState>(from_->state());
+  stage_->beginAt(origin);
+  if (other_.stage() != nullptr && !other_.ownFile()) other_.stage()->beginAt(origin);
+  target_ = stage_->firstFrame();
+  playing_ = false;
+}
+
+std::unique_ptr<Stage> Player::firstStage(std::shared_ptr<Script> script) const {
+  if (!from_) return std::make_unique<Stage>(std::move(script), memoryOfEach());
+  frame::RunInfo run;
+  run.simulation = hashHex(scene::simulationHash(script->asRun) + script->scene.filesHash);
+  run.fingerprint = numerics_.fingerprint;
+  if (const auto difference = from_->mismatch(run))
+    fail(ExitCode::usage, "cannot begin at checkpoint {}: {}", options_.from.string(), *difference);
+  return std::make_unique<Stage>(std::move(script), memoryOfEach(),
+                                 std::make_shared<const frame::WorldState>(from_->state()));
+}
+
 void Player::report(const std::string& text) {
   mistakes_ = text;
   tellScene();
@@ -118,7 +146,7 @@ bool Player::load(const std::string& text, std::vector<scene::Override> edits, b
     sim::requireExact(script->scene, numerics_);
     placeCamera(*script, stage_ == nullptr ? nullptr : &stage_->script(), moving);
     if (stage_ == nullptr)
-      stage_ = std::make_unique<Stage>(std::move(script), memoryOfEach());
+      stage_ = firstStage(std::move(script));
     else
       carries = stage_->become(std::move(script), moving);
   } catch (const UserError& error) {
@@ -127,6 +155,11 @@ bool Player::load(const std::string& text, std::vector<scene::Override> edits, b
   }
   edits_ = stage_->script().edits;
   mistakes_.clear();
+  if (from_ && !stage_->origin())
+    mistakes_ = fmt::format(
+        "the state of checkpoint {} does not fit the scene any more; the page shows the run from the "
+        "scene's start",
+        options_.from.string());
   showOther(moving, carries);
   return true;
 }
@@ -138,7 +171,7 @@ void Player::showOther(bool moving, bool carries) {
   keepPace(carries);
   failed_ = false;
   shown_ = rest_ = false;
-  target_ = std::min(target_, lastFrame());
+  target_ = std::clamp(target_, firstFrame(), lastFrame());
   watch();
   tellScene();
 }
@@ -166,6 +199,7 @@ void Player::makeGood() {
 
 void Player::watch() {
   std::vector<std::filesystem::path> files = {options_.source.file};
+  if (!options_.from.empty()) files.push_back(options_.from);
   if (stage_ != nullptr) {
     const auto& named = stage_->script().scene.files;
     files.insert(files.end(), named.begin(), named.end());
@@ -182,7 +216,7 @@ void Player::watch() {
 /// Returns the last frame that exists on both sides.
 int Player::lastFrame() const {
   if (stage_ == nullptr) return 0;
-  const int last = stage_->script().scene.frameCount() - 1;
+  const int last = std::max(stage_->script().scene.frameCount() - 1, firstFrame());
   return other_.stage() == nullptr ? last : std::min(last, other_.stage()->script().scene.frameCount() - 1);
 }
 
@@ -271,7 +305,7 @@ void Player::goOn() {
       rest_ = false;
       return tellStatus();
     }
-    target_ = 0;
+    target_ = firstFrame();
   } else {
     ++target_;
   }
@@ -332,7 +366,8 @@ void Player::drawPicture(bool draft) {
 /// Compares the full picture with its baseline.
 void Player::lookBeside() {
   if (beside_.right() && other_.stage() == nullptr) beside_.choose(options_.source, false);
-  if (rest_ && stage_ != nullptr && isThere() && !compared().carried()) beside_.look(compared());
+  if (rest_ && stage_ != nullptr && isThere() && !compared().carried() && !compared().origin())
+    beside_.look(compared());
 }
 
 /// Returns the side whose baseline is shown.

@@ -1,5 +1,6 @@
 #pragma once
 #include "base/clock.hpp"
+#include "frame/file/checkpoint.hpp"
 #include "frame/image.hpp"
 #include "gl/context.hpp"
 #include "serve/beside/beside.hpp"
@@ -33,6 +34,7 @@ struct PlayerOptions {
   std::filesystem::path output;        ///< folder for renders started on the page; empty if renders are not
                                        ///< allowed
   CounterpartOptions other;            ///< settings of the right side
+  std::filesystem::path from;          ///< checkpoint at which the run begins; empty: the scene's start
 };
 
 /// Makes the pictures. Handles requests of viewers, watches the scene's files, simulates and draws. Runs on
@@ -70,6 +72,12 @@ class Player {
 
   /// Reads the scene file again.
   void readFile();
+  /// Reads the checkpoint again, and begins at its state if it has changed.
+  void readOrigin();
+  /// Returns the first stage, which begins at the checkpoint if there is one. Throws UserError(usage) if
+  /// the checkpoint belongs to another simulation.
+  [[nodiscard]] std::unique_ptr<Stage> firstStage(std::shared_ptr<Script> script) const;
+  [[nodiscard]] int firstFrame() const { return stage_ == nullptr ? 0 : stage_->firstFrame(); }
   void showFiles();
   void tryAgain();
   /// Shows the scene `text` with these edits, or reports the errors in it. Returns true on success.
@@ -125,6 +133,8 @@ class Player {
   Hub& hub_;
   sim::Numerics numerics_;  ///< numerics of the device
   std::string text_;        ///< text of the scene file
+  /// Checkpoint at which the run begins; nullopt: the scene's start.
+  std::optional<frame::Checkpoint> from_;
   std::vector<scene::Override> edits_;
   std::unique_ptr<Stage> stage_;
   WatchedFiles files_;

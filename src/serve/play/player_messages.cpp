@@ -60,7 +60,7 @@ json sceneJson(const Stage& stage, const std::vector<std::string>& words) {
   std::string command = "simreel render";
   for (const std::string& word : words) command += " " + inShellQuotes(word);
   json message = {{"title", scene.title},
-                  {"frames", scene.frameCount()},
+                  {"frames", std::max(scene.frameCount(), stage.firstFrame() + 1)},
                   {"fps", scene.time.fps},
                   {"size", {scene.render.size.x, scene.render.size.y}},
                   {"samples", scene.render.samples},

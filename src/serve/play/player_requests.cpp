@@ -62,11 +62,11 @@ void Player::obey(const Json& json) {
   if (what == "play") {
     playing_ = stage_ != nullptr && lastFrame() > 0;
     due_ = Clock::now();
-    if (target_ >= lastFrame() && !loop_) target_ = 0;
+    if (target_ >= lastFrame() && !loop_) target_ = firstFrame();
     rest_ = false;
   } else if (what == "pause") {
     playing_ = false;
-    if (stage_ != nullptr) target_ = std::max(0, stage_->frame());
+    if (stage_ != nullptr) target_ = std::max(firstFrame(), stage_->frame());
   } else if (what == "loop") {
     loop_ = request.at("on").boolean();
   } else if (what == "seek") {
@@ -101,7 +101,7 @@ void Player::seek(const Json& json) {
   const int wanted = request.find("by")
                          ? target_ + std::clamp(request.at("by").integer(), -lastFrame(), lastFrame())
                          : request.at("frame").integer();
-  const int frame = std::clamp(wanted, 0, lastFrame());
+  const int frame = std::clamp(wanted, firstFrame(), lastFrame());
   playing_ = false;
   failed_ = false;
   if (isSet(request, "moving"))

@@ -23,9 +23,10 @@ glm::ivec2 scaledSize(glm::ivec2 size, float scale) {
 
 }  // namespace
 
-Stage::Stage(std::shared_ptr<Script> script, std::size_t memory)
+Stage::Stage(std::shared_ptr<Script> script, std::size_t memory, Origin origin)
     : script_(std::move(script)),
       made_(script_),
+      origin_(std::move(origin)),
       memory_(memory),
       kept_(memory),
       keptOf_(simulatedOf(*script_)) {
@@ -36,11 +37,37 @@ Stage::~Stage() {
   if (world_) world_->onFrameBefore({});
 }
 
-/// Builds a new world, which has not computed a frame yet.
+/// Builds a new world, which has not computed a frame beyond the run's beginning.
 void Stage::makeWorld() {
   summaries_ = nullptr;
   world_ = std::make_unique<sim::World>(script_->scene);
   begin();
+  startAtOrigin();
+}
+
+void Stage::beginAt(Origin origin) {
+  if (started_) summaries_->takeAll();
+  origin_ = std::move(origin);
+  kept_.clear();
+  past_.reset();
+  for (Series& series : series_) series.values.clear();
+  makeWorld();
+}
+
+/// Puts the state of origin_ into a world that has not stepped yet. If it does not fit the scene, the run
+/// begins at the scene's start.
+void Stage::startAtOrigin() {
+  if (!origin_) return;
+  try {
+    frame::putBack(*world_, origin_->frame, origin_->parts, origin_->bytes, "the checkpoint");
+  } catch (const UserError&) {
+    origin_.reset();
+    summaries_ = nullptr;
+    world_ = std::make_unique<sim::World>(script_->scene);
+    return begin();
+  }
+  started_ = seen_ = true;
+  summaries_->start();
 }
 
 /// Prepares the stage for a world that has not stepped yet.
@@ -192,7 +219,7 @@ Stage::Drawer& Stage::drawerOf(std::size_t level) {
 void Stage::prepareMotion(Drawer& drawer) {
   const int frame = world_->frame();
   if (!script_->scene.camera.shutter || drawer.toldBefore == frame) return;
-  if (frame <= world_->firstFrame()) {
+  if (frame <= (origin_ ? origin_->frame : world_->firstFrame())) {
     lookAt();
     drawer.renderer->keepBefore(world_->drawables());  // At the first frame, nothing moves.
     drawer.toldBefore = frame;

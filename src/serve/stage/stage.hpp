@@ -44,8 +44,10 @@ struct Series {
 /// functions throw the UserErrors of World and Renderer.
 class Stage {
  public:
-  /// `memory`: max bytes of stored states.
-  Stage(std::shared_ptr<Script> script, std::size_t memory);
+  using Origin = std::shared_ptr<const frame::WorldState>;
+  /// `memory`: max bytes of stored states. `origin`: state at which the run begins; null for the scene's
+  /// start.
+  Stage(std::shared_ptr<Script> script, std::size_t memory, Origin origin = nullptr);
   ~Stage();
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
@@ -63,8 +65,16 @@ class Stage {
   [[nodiscard]] const StageMilliseconds& took() const { return took_; }
   [[nodiscard]] const std::vector<Series>& series() const { return series_; }
 
-  /// Moves towards `frame`. Goes one step forward, or back to the nearest kept state or to the start.
-  /// Returns true if the stage is at `frame`.
+  /// Returns the state at which the run begins; null if it begins at the scene's start, also after a change
+  /// that the given state does not fit.
+  [[nodiscard]] const Origin& origin() const { return origin_; }
+  /// Returns the first frame that can be shown.
+  [[nodiscard]] int firstFrame() const { return origin_ ? origin_->frame : 0; }
+  /// Begins the run at another state.
+  void beginAt(Origin origin);
+
+  /// Moves towards `frame`, at least firstFrame(): one step forward, or back to the nearest kept state or
+  /// to the start. Returns true if the stage is at `frame`.
   bool approach(int frame);
   /// Draws the current frame at a detail level.
   [[nodiscard]] frame::Image draw(std::size_t level);
@@ -123,6 +133,7 @@ class Stage {
   bool putBack(const frame::WorldState& state);
   void makeWorld();
   void begin();
+  void startAtOrigin();
   void adopt(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script);
   void step(bool seen);
   void hear(const sim::World::Summary& summary);
@@ -134,7 +145,8 @@ class Stage {
 
   std::shared_ptr<Script> script_;
   std::shared_ptr<Script> made_;  ///< script that the world was built from
-  std::size_t memory_;            ///< memory limit of kept_ and past_ together, in bytes
+  Origin origin_;
+  std::size_t memory_;  ///< memory limit of kept_ and past_ together, in bytes
   KeptStates kept_;
   Simulated keptOf_;  ///< simulation that computed the states in kept_
   std::optional<Past> past_;

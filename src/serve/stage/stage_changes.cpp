@@ -148,6 +148,7 @@ void Stage::simulateAs(std::shared_ptr<Script> script) {
   summaries_ = nullptr;
   world_ = std::move(world);
   begin();
+  startAtOrigin();
   if (const frame::WorldState* nearest = kept_.before(before)) static_cast<void>(putBack(*nearest));
 }
 

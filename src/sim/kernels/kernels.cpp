@@ -5,9 +5,11 @@
 #include "sim/core/kind.hpp"
 #include "sim/core/numerics.hpp"
 #include "sim/core/race_checked.hpp"
+#include "sim/core/state_layout.hpp"
 #include "sim/kernels/drawn.hpp"
 #include "sim/kernels/finite.hpp"
 #include "sim/kernels/inputs.hpp"
+#include "sim/kernels/layouts.hpp"
 #include "sim/kernels/memory.hpp"
 #include "sim/kernels/pace.hpp"
 #include "sim/kernels/parameters.hpp"
@@ -49,7 +51,7 @@ std::vector<std::filesystem::path> shaderFiles(const scene::Scene& scene) {
 
 namespace {
 
-class Kernels : public Simulation, public RaceChecked, public FrameStarter {
+class Kernels : public Simulation, public RaceChecked, public FrameStarter, public LaidOut {
  public:
   Kernels(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -126,6 +128,12 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter {
       arrays.push_back({plan_->textures()[i].name.c_str(), &store_.words(static_cast<int>(i)),
                         plan_->textures()[i].integers()});
     return arrays;
+  }
+  [[nodiscard]] std::vector<StateLayout> layouts() const override {
+    std::vector<StateLayout> all;
+    for (const PlannedBuffer& buffer : plan_->buffers()) all.push_back(layoutOf(buffer));
+    for (const PlannedTexture& texture : plan_->textures()) all.push_back(layoutOf(texture));
+    return all;
   }
   [[nodiscard]] std::vector<std::string> races(double time) override {
     if (!parameters_.requests.front().pass.empty())

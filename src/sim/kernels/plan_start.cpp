@@ -152,6 +152,8 @@ void KernelPlan::holdStart(const char* list, const KernelMemory& given, const sc
   for (std::size_t i = 0; i < named.formula.parts.size(); ++i) {
     std::vector<std::string> part = path;
     if (named.formula.parts.size() > 1) part.push_back(std::to_string(i));
+    if (const std::string problem = whyTooLarge(slot, named.formula.parts[i].number); !problem.empty())
+      mistake(part, problem);
     try {
       if (!named.formula.parts[i].text.empty())
         static_cast<void>(starts.compiled(named.formula.parts[i].text));

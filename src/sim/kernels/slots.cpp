@@ -150,6 +150,13 @@ void storeSlot(std::byte* element, const KernelSlot& slot, std::size_t i, double
   std::memcpy(at, &single, sizeof single);
 }
 
+std::string whyTooLarge(const KernelSlot& slot, double value) {
+  constexpr float most = std::numeric_limits<float>::max();
+  if (slot.number != Number::real || !(std::abs(value) > static_cast<double>(most))) return {};
+  return fmt::format("{} is a {}, which holds numbers up to {:.3g}; found {:g}",
+                     slot.path.empty() ? "an element" : "\"" + slot.path + "\"", slot.type, most, value);
+}
+
 double loadSlot(const std::byte* element, const KernelSlot& slot, std::size_t i) {
   const std::byte* at = element + slot.offsets[i];
   switch (slot.number) {

@@ -32,6 +32,10 @@ struct KernelSlot {
 /// Returns the slot with this path, or null if none exists.
 [[nodiscard]] const KernelSlot* slotNamed(std::span<const KernelSlot> slots, std::string_view path);
 
+/// Returns why a slot cannot hold a number of a scene; empty if it can. A float holds no number
+/// beyond 3.4e38.
+[[nodiscard]] std::string whyTooLarge(const KernelSlot& slot, double value);
+
 /// Writes component `i` (zero-based) of a slot in the element at the address `element`. For integer types,
 /// the value is rounded down and clamped to the type's range.
 void storeSlot(std::byte* element, const KernelSlot& slot, std::size_t i, double value);

@@ -234,7 +234,48 @@ ShownCopies shown(const Instances& look) {
   return copies;
 }
 
+/// True for a surface whose vertices are stored as they are drawn.
+bool isStored(const Surface& surface) {
+  return surface.normals != nullptr && surface.deform == nullptr && surface.heights == nullptr &&
+         surface.arguments == nullptr;
+}
+
+/// Appends a surface in world space. Returns false if it has no texture coordinates.
+bool append(MeshTable& mesh, const Surface& surface) {
+  const auto first = static_cast<unsigned>(mesh.positions.size());
+  const auto vertices = texelsOf(*surface.positions, verticesOf(surface));
+  const auto normals = texelsOf(*surface.normals, vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    mesh.positions.emplace_back(surface.model * glm::vec4(glm::vec3(vertices[i]), 1.0F));
+    mesh.normals.push_back(turned(surface.model, normals.at(i)));
+  }
+  for (const unsigned index :
+       elementsOf<unsigned>(surface.indices->name(), 0, static_cast<std::size_t>(surface.indexCount)))
+    mesh.indices.push_back(first + index);
+  mesh.doubleSided = mesh.doubleSided || surface.doubleSided;
+  if (surface.uvs == nullptr) return false;
+  const auto uvs = elementsOf<glm::vec2>(surface.uvs->buffer(), surface.uvs->offset(), vertices.size());
+  mesh.uvs.insert(mesh.uvs.end(), uvs.begin(), uvs.end());
+  return uvs.size() == vertices.size();
+}
+
 }  // namespace
+
+bool showsMesh(const World& world, std::size_t object) {
+  const std::vector<Surface> surfaces = surfacesOf(world, object);
+  return world.object(object).mesh() || std::any_of(surfaces.begin(), surfaces.end(), isStored);
+}
+
+std::optional<MeshTable> shownMesh(const World& world, std::size_t object) {
+  if (auto own = world.object(object).mesh()) return own;
+  MeshTable mesh;
+  bool textured = true;
+  for (const Surface& surface : surfacesOf(world, object))
+    if (isStored(surface)) textured = append(mesh, surface) && textured;
+  if (mesh.indices.empty()) return std::nullopt;
+  if (!textured) mesh.uvs.clear();
+  return mesh;
+}
 
 MeshLooks looksOfMesh(const World& world, std::size_t object, const MeshTable& mesh) {
   MeshLooks looks;

@@ -3,6 +3,7 @@
 #include "sim/world/world.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <glm/gtc/quaternion.hpp>
@@ -23,9 +24,15 @@ struct MeshLooks {
   bool doubleSided = false;       ///< true if the object shows the back faces of its surfaces
 };
 
-/// Returns the looks of an object's mesh, taken from the surfaces that the object draws. A triangle gets
-/// the material of the surface that contains the same triangle. `mesh` is the result of Simulation::mesh()
-/// in the current state. Waits for the GPU. Call it after World::grow().
+/// Returns the mesh that an object exports (Simulation::mesh), or else the triangles that it draws now, as
+/// of a sphere or a plane; nothing if there are none. Waits for the GPU. Call after World::grow().
+[[nodiscard]] std::optional<MeshTable> shownMesh(const World& world, std::size_t object);
+/// Returns true if shownMesh() has a mesh.
+[[nodiscard]] bool showsMesh(const World& world, std::size_t object);
+
+/// Returns the looks of an object's mesh, from the surfaces that it draws: a triangle has the material of
+/// the surface that has the same triangle. `mesh`: its present shownMesh(). Waits for the GPU. Call after
+/// World::grow().
 [[nodiscard]] MeshLooks looksOfMesh(const World& world, std::size_t object, const MeshTable& mesh);
 
 /// Copies of a small mesh as they are drawn in the current frame.

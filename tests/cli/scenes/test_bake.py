@@ -42,7 +42,6 @@ class Bake(Case):
     def test_cloth_is_a_surface(self):
         self.good("bake", "scene.json", "-o", "out", "--frames", "5")
         self.good("bake", "scene.json", "-o", "out", "--frames", "5", "--format", "obj")
-        self.good("bake", "scene.json", "-o", "out", "--frames", "5", "--format", "glb")
         head, _, body = (self.folder / "out/flag_000005.ply").read_bytes().partition(b"end_header\n")
         self.assertIn(b"element face 96\nproperty list uchar uint vertex_indices\n", head)
         rows = self.read("out/flag_000005.ply")[2]
@@ -77,12 +76,40 @@ class Bake(Case):
         wanted = surface("out/flag_000005.ply")
         self.assertEqual(len(rows), 63)
         for suffix in ("ply", "obj", "glb"):
-            self.good("bake", "scene.json", "-o", "out", "--frames", "5", "--format", suffix, "--overwrite")
+            self.good("bake", "scene.json", "-o", "out", "--frames", "5", "--format", suffix, "--object", "flag", "--overwrite")
             self.write("again.json", with_values({"objects": {"m": {"mesh": {"shape": "file", "file": f"out/flag_000005.{suffix}"}}}}))
             self.good("bake", "again.json", "-o", "again", "--frames", "0", "--overwrite")
             found = surface("again/m_000000.ply")
             self.assertEqual(len(found), len(wanted))
             self.assertLess(max(abs(a - b) for a, b in zip(found, wanted)), 2e-6, suffix)
+
+    def test_one_glb_holds_all_objects_of_the_scene_with_its_solids(self):
+        """The readers are test_caves.read_glb() here and assimp in tests/unit/frame/solid_files.cpp."""
+        from test_caves import read_accessor, read_glb
+        ball = {"sphere": {"radius": 0.5, "position": {"keys": [[0, [0, 1, 0]], [0.1, [3, 1, 0]]]}}}
+        rod = {"capsule": {"radius": 0.25, "length": 1, "rotation": [0, 0, 90]}, "material": {"color": [1, 0, 0]}}
+        self.write("scene.json", with_values({"objects": {"ball": ball, "rod": rod, "flag": {"cloth": {"size": [9, 7]}},
+                                                          "floor": {"plane": {"size": [2, 4]}},
+                                                          "unseen": {"sphere": {"visible": False}}}}))
+        self.good("bake", "scene.json", "-o", "out", "--frames", "0,5", "--format", "glb")
+        self.assertEqual(sorted(self.content("out")), ["scene_000000.glb", "scene_000005.glb"])
+        document, binary = read_glb(self.content("out")["scene_000005.glb"])
+        self.assertEqual([document["nodes"][i]["name"] for i in document["scenes"][0]["nodes"]], ["ball", "rod", "flag", "floor"])
+
+        def points(node):
+            (primitive,) = document["meshes"][document["nodes"][node]["mesh"]]["primitives"]
+            return read_accessor(document, binary, primitive["attributes"]["POSITION"])
+        self.assertEqual(len(points(2)), 63)
+        for x, y, z in points(0):
+            self.assertAlmostEqual(math.dist((x, y, z), (3, 1, 0)), 0.5, places=5)
+        for x, y, z in points(1):
+            self.assertAlmostEqual(math.dist((x, y, z), (min(max(x, -0.5), 0.5), 0, 0)), 0.25, places=5)
+        self.assertEqual(sorted(tuple(point) for point in points(3)), [(-1, 0, -2), (-1, 0, 2), (1, 0, -2), (1, 0, 2)])
+        self.assertEqual(document["materials"][1]["pbrMetallicRoughness"]["baseColorFactor"], [1, 0, 0, 1])
+        for suffix in ("obj", "ply"):
+            self.good("bake", "scene.json", "-o", "solids", "--frames", "0", "--format", suffix)
+            self.assertEqual(sorted(name for name in self.content("solids") if name.endswith(suffix)),
+                             [f"{name}_000000.{suffix}" for name in ("ball", "flag", "floor", "rod")])
 
     def test_glb_keeps_the_alpha_of_textures(self):
         def chunk(name, body):
@@ -92,7 +119,7 @@ class Bake(Case):
             chunk(b"IDAT", zlib.compress(b"\0\x10\x20\x30\xff\x40\x50\x60\0")) + chunk(b"IEND", b""))
         for alpha, mode in (("cut", "MASK"), ("blend", "BLEND")):
             self.write("holes.json", {"version": 2, "objects": {"m": {"mesh": {"shape": "torus"}, "material": {"texture": "holes.png", "alpha": alpha}}}})
-            self.good("bake", "holes.json", "-o", "holes", "--frames", "0", "--format", "glb", "--overwrite")
+            self.good("bake", "holes.json", "-o", "holes", "--frames", "0", "--format", "glb", "--object", "m", "--overwrite")
             data = (self.folder / "holes/m_000000.glb").read_bytes()
             size = struct.unpack_from("<I", data, 12)[0]
             document = json.loads(data[20:20 + size])
@@ -117,7 +144,7 @@ class Bake(Case):
 
         upright("scene.json")
         for suffix in ("ply", "obj", "glb"):
-            self.good("bake", "scene.json", "-o", "out", "--frames", "0", "--format", suffix)
+            self.good("bake", "scene.json", "-o", "out", "--frames", "0", "--format", suffix, "--object", "flag")
             self.write("again.json", with_values({"objects": {"m": {
                 "mesh": {"shape": "file", "file": f"out/flag_000000.{suffix}", "sides": "both"}, "material": {"texture": "flag.ppm"}}}}))
             upright("again.json")
@@ -131,7 +158,7 @@ class Bake(Case):
                 "groups": [{"shape": "cube", "count": 5, "radius": 1, "totalMass": 1, "position": [0, 1, 0], "speed": 1}]}
         self.write("scene.json", with_values({"objects": {"dust": {"particles": dust, "material": {"color": [0.5, 0.25, 0.125]}}}}))
         self.good("bake", "scene.json", "-o", "out", "--frames", "3")
-        self.good("bake", "scene.json", "-o", "out", "--frames", "3", "--format", "glb")
+        self.good("bake", "scene.json", "-o", "out", "--frames", "3", "--format", "glb", "--object", "dust")
         data = (self.folder / "out/dust_000003.glb").read_bytes()
         (length,) = struct.unpack_from("<I", data, 12)
         document, binary = json.loads(data[20:20 + length]), data[28 + length:]
@@ -191,7 +218,7 @@ class Bake(Case):
 
     def test_mistakes(self):
         self.bad(2, ["nobody", "flag"], "bake", "scene.json", "-o", "out", "--object", "nobody")
-        self.write("scene.json", with_values({"objects": {"ball": {"sphere": {}}}}))
+        self.write("scene.json", with_values({"objects": {"ball": {"sphere": {"visible": False}}}}))
         self.bad(2, "no object of the scene has state to bake", "bake", "scene.json", "-o", "out")
         self.bad(2, "there is no \"nobody\"; the scene has ball", "bake", "scene.json", "-o", "out", "--object", "nobody")
         self.bad(2, "no object of the scene has points or a mesh", "bake", "scene.json", "-o", "out", "--format", "ply")

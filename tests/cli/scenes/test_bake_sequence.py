@@ -233,7 +233,7 @@ class Sequence(Case):
 
     def test_one_frame_has_no_animation(self):
         self.bake("--sequence", "--frames", "3")
-        self.bake("--format", "glb", "--frames", "3")
+        self.bake("--format", "glb", "--frames", "3", "--object", "flag")
         still = self.glb("flag")
         self.assertEqual(still.targets, [])
         self.assertNotIn("animations", still.document)

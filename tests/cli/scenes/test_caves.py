@@ -33,7 +33,7 @@ class Caves(Case):
         self.write("scene.json", with_values({"objects": {"c": {"cave": {"size": [41, 29], **cave}}}}))
 
     def baked(self, file_format, name="c"):
-        self.good("bake", "scene.json", "-o", "out", "--frames", "0", "--format", file_format, "--overwrite")
+        self.good("bake", "scene.json", "-o", "out", "--frames", "0", "--format", file_format, "--object", name, "--overwrite")
         return self.folder / "out" / f"{name}_000000.{file_format}"
 
     def check_closed(self, positions, triangles):

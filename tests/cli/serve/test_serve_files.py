@@ -35,6 +35,39 @@ class ViewerCase(ServeCase):
         return viewer
 
 
+class Checkpoints(ViewerCase):
+    def checkpoint(self, frame, *changes):
+        self.good("render", "scene.json", "-o", "states/", "--frames", "none", "--checkpoint-at", frame, "--overwrite", *changes)
+        (self.folder / f"states/checkpoint.{frame:06}").replace(self.folder / "state")
+
+    def test_the_run_begins_at_a_checkpoint_and_follows_the_file(self):
+        """Takes 2 s."""
+        self.write("scene.json", FIELD)
+        self.checkpoint(5)
+        server = self.serve("--from", self.folder / "state", "--embed")
+        headers = server.get(f"/{server.token}/")[1]
+        self.assertNotIn("frame-ancestors", str(headers))
+        self.assertNotIn("x-frame-options", headers)
+        viewer = self.viewer(server)
+        self.assertEqual(self.pixels(viewer.rest(5)[1]), self.rendered(5))
+        viewer.send(do="seek", frame=7)
+        self.assertEqual(self.pixels(viewer.rest(7)[1]), self.rendered(7))
+        viewer.send(do="seek", frame=0)  # there is no state before the checkpoint's
+        self.assertEqual(self.pixels(viewer.rest(5)[1]), self.rendered(5))
+        self.checkpoint(9)
+        self.assertEqual(self.pixels(viewer.rest(9)[1]), self.rendered(9))
+        viewer.send(do="set", path="objects.dish.grayScott.size", value=[32, 32])
+        self.assertIn("does not fit", viewer.until(lambda kind, message: kind == "scene" and message["mistakes"])["mistakes"])
+
+    def test_a_checkpoint_of_another_simulation_is_named(self):
+        self.write("scene.json", FIELD)
+        self.checkpoint(5, "-D", "seed=4")
+        viewer = self.viewer(self.serve("--from", self.folder / "state"))
+        self.assertIn("it belongs to another simulation",
+                      viewer.until(lambda kind, message: kind == "scene" and message["mistakes"])["mistakes"])
+        self.bad(2, ["missing", "checkpoint"], "serve", "scene.json", "--from", "missing")
+
+
 class NamedFiles(ViewerCase):
     def picture(self, name, value):
         (self.folder / "new.png").write_bytes(grey_png(value))

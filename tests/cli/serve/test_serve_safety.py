@@ -22,6 +22,8 @@ class Safety(ServeCase):
         self.assertNotIn("unsafe", headers["content-security-policy"])
         self.assertEqual(headers["x-content-type-options"], "nosniff")
         self.assertEqual(headers["referrer-policy"], "no-referrer")
+        self.assertIn("frame-ancestors 'none'", headers.get_all("content-security-policy"))
+        self.assertEqual(headers["x-frame-options"], "DENY")
         wrong = ("0" if server.token[0] != "0" else "1") + server.token[1:]
         for path in ("/", "/index.html", f"/{wrong}/", f"/{server.token}", f"/{server.token[:-1]}/", "/live", "//"):
             self.assertEqual(server.get(path)[0], 403, path)

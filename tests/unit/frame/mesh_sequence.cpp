@@ -11,6 +11,7 @@
 #include "help.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -79,9 +80,9 @@ TEST_CASE("PLY and glTF meshes are read back bit for bit, OBJ within the library
     for (const glm::vec3& row : {mesh.positions[i], mesh.normals[i]})
       values.insert(values.end(), {row.x, row.y, row.z});
   const std::vector<const char*> columns = {"x", "y", "z", "nx", "ny", "nz"};
-  for (const auto& file :
-       {written("a.obj", frame::encodeObj(mesh, {})), written("a.glb", frame::encodeGlb(mesh, "a", {})),
-        written("a.ply", frame::encodePly(columns, values, mesh.indices, {}))}) {
+  for (const auto& file : {written("a.obj", frame::encodeObj(mesh, {})),
+                           written("a.glb", frame::encodeGlb(std::array{frame::GlbObject{"a", mesh}}, {})),
+                           written("a.ply", frame::encodePly(columns, values, mesh.indices, {}))}) {
     CAPTURE(file.string());
     const bool isText = file.extension() == ".obj";
     const sim::Mesh read = sim::loadMesh(file);

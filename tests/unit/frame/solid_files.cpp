@@ -8,6 +8,8 @@
 #include "help.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <assimp/Importer.hpp>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
@@ -35,7 +37,8 @@ sim::MeshTable tetrahedron() {
 TEST_CASE("binary glTF is read back by assimp") {
   const sim::MeshTable mesh = tetrahedron();
   const std::vector<std::string> comments = {"simreel", "a \"quoted\" word"};
-  const std::vector<std::byte> file = frame::encodeGlb(mesh, "solid", comments);
+  const std::vector<std::byte> file =
+      frame::encodeGlb(std::array{frame::GlbObject{"solid", mesh}}, comments);
   CHECK(file.size() % 4 == 0);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFileFromMemory(
@@ -60,8 +63,32 @@ TEST_CASE("binary glTF is read back by assimp") {
   }
 }
 
+TEST_CASE("the objects of a scene are nodes of one binary glTF, which assimp reads back") {
+  sim::MeshTable moved = tetrahedron();
+  for (glm::vec3& position : moved.positions) position.x += 3;
+  const std::array<frame::GlbObject, 3> objects = {
+      frame::GlbObject{"solid", tetrahedron()}, {"nothing"}, {"moved", moved}};
+  const std::vector<std::byte> file = frame::encodeGlb(objects, {});
+  Assimp::Importer importer;
+  const aiScene* scene =
+      importer.ReadFileFromMemory(file.data(), file.size(), aiProcess_ValidateDataStructure, "glb");
+  REQUIRE_MESSAGE(scene != nullptr, importer.GetErrorString());
+  REQUIRE(scene->mRootNode->mNumChildren == 3);
+  CHECK(scene->mNumMeshes == 2);
+  for (unsigned i = 0; i < 3; ++i) {
+    const aiNode& node = *scene->mRootNode->mChildren[i];
+    CHECK(std::string(node.mName.C_Str()) == objects[i].name);
+    REQUIRE(node.mNumMeshes == (i == 1 ? 0 : 1));
+    if (i == 1) continue;
+    const aiMesh& read = *scene->mMeshes[node.mMeshes[0]];
+    float least = read.mVertices[0].x;
+    for (unsigned k = 0; k < read.mNumVertices; ++k) least = std::min(least, read.mVertices[k].x);
+    CHECK(least == (i == 0 ? 0.0F : 3.0F));
+  }
+}
+
 TEST_CASE("a mesh without triangles gives a binary glTF without meshes") {
-  const std::vector<std::byte> file = frame::encodeGlb({}, "nothing", {});
+  const std::vector<std::byte> file = frame::encodeGlb(std::array{frame::GlbObject{"nothing"}}, {});
   const std::string text(reinterpret_cast<const char*>(file.data()) + 20, file.size() - 20);
   const auto document = nlohmann::json::parse(text);
   CHECK(!document.contains("meshes"));
@@ -168,7 +195,7 @@ TEST_CASE("glTF has a primitive and a material for each part, with pictures, cut
   sim::MeshLooks looks;
   looks.materials = {&first, &second};
   looks.partOf = {0, 1};
-  written.write(frame::encodeGlb(square(), "square", {}, looks));
+  written.write(frame::encodeGlb(std::array{frame::GlbObject{"square", square(), looks}}, {}));
   const GlbFile glb(written.file);
   const nlohmann::json& document = glb.document();
   const nlohmann::json& primitives = document["meshes"][0]["primitives"];
@@ -210,7 +237,7 @@ TEST_CASE("glTF materials are read back by the program as they were written") {
   looks.partOf = {1, 0};
   looks.doubleSided = true;
   looks.colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5F, 0.5F, 0.5F}};
-  written.write(frame::encodeGlb(square(), "square", {}, looks));
+  written.write(frame::encodeGlb(std::array{frame::GlbObject{"square", square(), looks}}, {}));
   const sim::Mesh mesh = sim::loadMesh(written.file);
   REQUIRE(mesh.materials.size() == 2);
   CHECK(mesh.ignored.empty());
@@ -246,7 +273,8 @@ TEST_CASE("glTF materials are read back by assimp") {
   sim::MeshLooks looks;
   looks.materials = {&first, &second};
   looks.partOf = {0, 1};
-  const std::vector<std::byte> file = frame::encodeGlb(square(), "square", {}, looks);
+  const std::vector<std::byte> file =
+      frame::encodeGlb(std::array{frame::GlbObject{"square", square(), looks}}, {});
   Assimp::Importer importer;
   const aiScene* scene =
       importer.ReadFileFromMemory(file.data(), file.size(), aiProcess_ValidateDataStructure, "glb");
@@ -280,7 +308,7 @@ TEST_CASE("glTF colours of a palette replace the material's colour, and other co
     looks.materials = {&material};
     looks.colors.assign(4, {0.5F, 1, 0});
     looks.ownColors = own;
-    written.write(frame::encodeGlb(square(), "square", {}, looks));
+    written.write(frame::encodeGlb(std::array{frame::GlbObject{"square", square(), looks}}, {}));
     const GlbFile glb(written.file);
     const nlohmann::json& primitive = glb.document()["meshes"][0]["primitives"][0];
     CHECK(glb.rows(primitive["attributes"]["COLOR_0"]) == looks.colors);
@@ -300,7 +328,7 @@ TEST_CASE("glTF holds copies once, with a place, size and colour each") {
   copies.turns = {glm::quat(1, 0, 0, 0), glm::quat(0, 0, 1, 0)};
   copies.scales = {0.5F, 2};
   copies.colors = {{1, 0, 0}, {0, 1, 0}};
-  written.write(frame::encodeGlb({}, "swarm", {}, {}, {}, std::span(&copies, 1)));
+  written.write(frame::encodeGlb(std::array{frame::GlbObject{"swarm", {}, {}, {copies}}}, {}));
   const GlbFile glb(written.file);
   const nlohmann::json& document = glb.document();
   REQUIRE(document["nodes"].size() == 1);
@@ -314,7 +342,7 @@ TEST_CASE("glTF holds copies once, with a place, size and colour each") {
   CHECK(document["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] ==
         nlohmann::json({1, 1, 1, 0.5}));
   copies.glow = 4;
-  written.write(frame::encodeGlb({}, "swarm", {}, {}, {}, std::span(&copies, 1)));
+  written.write(frame::encodeGlb(std::array{frame::GlbObject{"swarm", {}, {}, {copies}}}, {}));
   const GlbFile glowing(written.file);
   CHECK(glowing.document()["materials"][0]["emissiveFactor"] == nlohmann::json({1, 1, 0}));
   CHECK(glowing.document()["materials"][0]["extensions"]["KHR_materials_emissive_strength"]

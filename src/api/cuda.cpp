@@ -1,0 +1,165 @@
+#include "api/cuda.hpp"
+
+#include "api/failure.hpp"
+
+#include <bit>
+#include <dlfcn.h>
+#include <utility>
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+namespace simreel::api {
+
+/// Functions of the CUDA driver (NVIDIA, "CUDA Driver API"), by the names of their present versions.
+/// Results are 0 for success.
+struct Cuda::Functions {
+  int (*init)(unsigned flags);
+  int (*glGetDevices)(unsigned* count, int* devices, unsigned most, int which);
+  int (*retain)(void** context, int device);
+  int (*release)(int device);
+  int (*push)(void* context);
+  int (*pop)(void** context);
+  int (*synchronize)();
+  int (*allocate)(std::uint64_t* memory, std::size_t bytes);
+  int (*freeMemory)(std::uint64_t memory);
+  int (*copy)(std::uint64_t to, std::uint64_t from, std::size_t bytes);
+  int (*registerBuffer)(void** resource, unsigned buffer, unsigned flags);
+  int (*unregister)(void* resource);
+  int (*map)(unsigned count, void** resources, void* stream);
+  int (*unmap)(unsigned count, void** resources, void* stream);
+  int (*pointer)(std::uint64_t* memory, std::size_t* bytes, void* resource);
+  int (*nameError)(int result, const char** name);
+};
+
+namespace {
+
+constexpr int allDevices = 1;         // CU_GL_DEVICE_LIST_ALL
+constexpr unsigned readOnlyFlag = 1;  // CU_GRAPHICS_REGISTER_FLAGS_READ_ONLY
+
+template <class Function>
+bool find(void* library, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(::dlsym(library, name));
+  return function != nullptr;
+}
+
+/// A plain OpenGL buffer with a copy of a part of another, because memory that comes from Vulkan cannot be
+/// registered.
+class PlainCopy {
+ public:
+  PlainCopy(const gl::Buffer& buffer, std::size_t offset, std::size_t bytes) {
+    glCreateBuffers(1, &name_);
+    glNamedBufferData(name_, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_COPY);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glCopyNamedBufferSubData(buffer.name(), name_, static_cast<GLintptr>(offset), 0,
+                             static_cast<GLsizeiptr>(bytes));
+    glFinish();
+  }
+  ~PlainCopy() { glDeleteBuffers(1, &name_); }
+  PlainCopy(const PlainCopy&) = delete;
+  PlainCopy& operator=(const PlainCopy&) = delete;
+  [[nodiscard]] GLuint name() const { return name_; }
+
+ private:
+  GLuint name_ = 0;
+};
+
+/// Calls a function at the end of a block.
+template <class Work>
+class AtEnd {
+ public:
+  explicit AtEnd(Work work) : work_(std::move(work)) {}
+  ~AtEnd() { work_(); }
+  AtEnd(const AtEnd&) = delete;
+  AtEnd& operator=(const AtEnd&) = delete;
+
+ private:
+  Work work_;
+};
+
+}  // namespace
+
+Cuda::Cuda() {
+  open();
+}
+
+void Cuda::open() {
+  library_ = ::dlopen("libcuda.so.1", RTLD_NOW | RTLD_LOCAL);
+  if (library_ == nullptr) {
+    problem_ = "there is no CUDA driver (libcuda.so.1)";
+    return;
+  }
+  functions_ = std::make_unique<Functions>();
+  Functions& f = *functions_;
+  const bool all =
+      find(library_, "cuInit", f.init) && find(library_, "cuGLGetDevices_v2", f.glGetDevices) &&
+      find(library_, "cuDevicePrimaryCtxRetain", f.retain) &&
+      find(library_, "cuDevicePrimaryCtxRelease_v2", f.release) &&
+      find(library_, "cuCtxPushCurrent_v2", f.push) && find(library_, "cuCtxPopCurrent_v2", f.pop) &&
+      find(library_, "cuCtxSynchronize", f.synchronize) && find(library_, "cuMemAlloc_v2", f.allocate) &&
+      find(library_, "cuMemFree_v2", f.freeMemory) && find(library_, "cuMemcpyDtoD_v2", f.copy) &&
+      find(library_, "cuGraphicsGLRegisterBuffer", f.registerBuffer) &&
+      find(library_, "cuGraphicsUnregisterResource", f.unregister) &&
+      find(library_, "cuGraphicsMapResources", f.map) &&
+      find(library_, "cuGraphicsUnmapResources", f.unmap) &&
+      find(library_, "cuGraphicsResourceGetMappedPointer_v2", f.pointer) &&
+      find(library_, "cuGetErrorName", f.nameError);
+  if (!all) {
+    problem_ = "the CUDA driver is too old";
+    return;
+  }
+  unsigned count = 0;
+  if (f.init(0) != 0)
+    problem_ = "the CUDA driver has no device";
+  else if (f.glGetDevices(&count, &device_, 1, allDevices) != 0 || count == 0)
+    problem_ = "OpenGL draws on no CUDA device";
+  else if (f.retain(&context_, device_) != 0)
+    problem_ = "the CUDA device cannot be opened";
+}
+
+Cuda::~Cuda() {
+  if (context_ != nullptr) functions_->release(device_);
+  // The library stays loaded, because others may use it.
+}
+
+void Cuda::require(int result, const char* what) const {
+  if (result == 0) return;
+  const char* name = nullptr;
+  functions_->nameError(result, &name);
+  fail(ErrorKind::device,
+       fmt::format("{}: CUDA reports {}", what,
+                   name == nullptr ? fmt::format("error {}", result) : std::string(name)));
+}
+
+void Cuda::free(std::uint64_t memory) const noexcept {
+  void* previous = nullptr;
+  if (functions_->push(context_) != 0) return;
+  functions_->freeMemory(memory);
+  functions_->pop(&previous);
+}
+
+std::shared_ptr<void> Cuda::copyOf(const gl::Buffer& buffer, std::size_t offset, std::size_t bytes) {
+  const Functions& f = *functions_;
+  const PlainCopy plain(buffer, offset, bytes);
+  require(f.push(context_), "a state array cannot be copied on the card");
+  const AtEnd popped([&] {
+    void* previous = nullptr;
+    f.pop(&previous);
+  });
+  void* resource = nullptr;
+  require(f.registerBuffer(&resource, plain.name(), readOnlyFlag), "an OpenGL buffer cannot be shared");
+  const AtEnd unregistered([&] { f.unregister(resource); });
+  require(f.map(1, &resource, nullptr), "an OpenGL buffer cannot be mapped");
+  const AtEnd unmapped([&] { f.unmap(1, &resource, nullptr); });
+  std::uint64_t from = 0, memory = 0;
+  std::size_t mapped = 0;
+  require(f.pointer(&from, &mapped, resource), "an OpenGL buffer has no address");
+  require(f.allocate(&memory, bytes), "a copy of a state array does not fit on the card");
+  std::shared_ptr<void> held(std::bit_cast<void*>(static_cast<std::uintptr_t>(memory)),
+                             [owner = shared_from_this(), memory](void*) { owner->free(memory); });
+  require(f.copy(memory, from, bytes), "a state array cannot be copied on the card");
+  require(f.synchronize(), "a state array cannot be copied on the card");
+  return held;
+}
+
+}  // namespace simreel::api
