@@ -41,8 +41,9 @@ bool averagesLight(const sim::Field& field) {
   return field.categories || !field.display->smooth || field.cells == sim::Field::Cells::colors;
 }
 
-bool hasSmoothColors(const sim::Field& field) {
-  return field.cells == sim::Field::Cells::colors && field.display->smooth;
+/// True if magnified values or colours are a quadratic spline, which has no creases at the cells.
+bool isSplined(const sim::Field& field) {
+  return field.display->smooth && !field.categories;
 }
 
 bool hasRelief(const sim::Field& field) {
@@ -126,7 +127,7 @@ FieldDrawVariant FieldPass::variant(const sim::Field& field, const Kept& kept, d
                        // branch that is not taken.
                        .opaque = exact_ && over && field.display->opacity.at(seconds) >= 1,
                        .magnified = isMagnified(field, kept.reduction, picture_, seconds),
-                       .smoothColors = hasSmoothColors(field),
+                       .splined = isSplined(field),
                        .tiled = field.display->tiled,
                        .relief = hasRelief(field)};
   if (exact_) all.rows = rowsFor(field);
