@@ -243,8 +243,8 @@ TEST_CASE("exact fields: a pixel is the average of the light under it, in double
 
 namespace exact_fields {
 
-/// Returns the max difference (in bytes) between a magnified smooth field and its quadratic spline in double
-/// precision.
+/// Returns the max difference (in bytes) between a magnified smooth field and its quadratic spline in
+/// double precision.
 double fromSpline(Cells kind) {
   const glm::ivec2 cells{7, 5};
   const auto value = [](int x, int y) { return 0.1 + 0.05 * ((3 * x + 5 * y) % 11); };
