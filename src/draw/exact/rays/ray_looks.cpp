@@ -1,6 +1,5 @@
 #include "draw/exact/rays/ray_looks.hpp"
 
-#include "base/ieee.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/surface/surface_shading.hpp"
 #include "draw/surface/skin_look.hpp"
@@ -22,17 +21,6 @@ namespace {
 glm::uvec4 bitsOf(glm::vec4 v) {
   return {std::bit_cast<unsigned>(v.x), std::bit_cast<unsigned>(v.y), std::bit_cast<unsigned>(v.z),
           std::bit_cast<unsigned>(v.w)};
-}
-
-/// Returns the absorption coefficient a (1/m). The material transmits the fraction e^(-a distance) of
-/// light.
-glm::vec3 absorptionOf(const scene::Finish& finish) {
-  glm::vec3 absorbed(0);
-  if (finish.thin) return absorbed;
-  for (int i = 0; i < 3; ++i)
-    absorbed[i] = static_cast<float>(-ieee::log(static_cast<double>(finish.attenuation[i])) /
-                                     static_cast<double>(finish.attenuationDistance));
-  return absorbed;
 }
 
 /// Returns the alpha mode as a number in the material table. Above 0: cutoff of holes; -1: blended; 0:
