@@ -88,6 +88,7 @@ FUNCTION vec4 splineAt(vec2 place) {
 // Returns the colour of a pixel, averaged over `middle` +- `reach`. Between half an element and one element per pixel,
 // the result changes gradually from the spline to the mean.
 FUNCTION vec4 seenAround(vec2 middle, vec2 reach) {
+  if (fine && splined) return splineAt(middle);
   ROUNDED float coarse = 2.0f * max(perPixel.x, perPixel.y) - 1.0f;
   float share = splined ? clamp(coarse, 0.0f, 1.0f) : 1.0f;
   vec4 mean = vec4(0.0f), spline = vec4(0.0f);

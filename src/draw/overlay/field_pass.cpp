@@ -50,11 +50,12 @@ bool hasRelief(const sim::Field& field) {
   return field.display->relief != 0 && !field.categories;
 }
 
-/// True if no pixel covers more than one element, so that a pixel's box touches at most two elements per
-/// side.
-bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, double seconds) {
+/// True if no pixel covers more than `elements` on a side. With one element, a pixel's box touches at most
+/// two elements per side.
+bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, double seconds,
+                 double elements) {
   const glm::dvec2 perPixel = fieldView(*field.display, field.size, picture, seconds).perPixel;
-  constexpr double most = 0.999;  // slightly below 1, to allow for float rounding
+  const double most = 0.999 * elements;  // slightly less, to allow for float rounding
   return reduction == 1 && perPixel.x <= most && perPixel.y <= most;
 }
 
@@ -126,8 +127,9 @@ FieldDrawVariant FieldPass::variant(const sim::Field& field, const Kept& kept, d
                        // OPAQUE avoids reading the hidden picture; software drivers would read it even in a
                        // branch that is not taken.
                        .opaque = exact_ && over && field.display->opacity.at(seconds) >= 1,
-                       .magnified = isMagnified(field, kept.reduction, picture_, seconds),
+                       .magnified = isMagnified(field, kept.reduction, picture_, seconds, 1),
                        .splined = isSplined(field),
+                       .fine = isMagnified(field, kept.reduction, picture_, seconds, 0.5),
                        .tiled = field.display->tiled,
                        .relief = hasRelief(field)};
   if (exact_) all.rows = rowsFor(field);

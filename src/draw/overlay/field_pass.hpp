@@ -35,6 +35,7 @@ struct FieldDrawVariant {
   gl::Flag<"OPAQUE"> opaque;
   gl::Flag<"MAGNIFIED"> magnified;
   gl::Flag<"SPLINED"> splined;
+  gl::Flag<"FINE"> fine;
   gl::Flag<"TILED"> tiled;
   gl::Flag<"RELIEF"> relief;
   gl::Range<"ROWS", 1, 8> rows = {};  ///< number of pixels per invocation of the exact rasterizer
