@@ -30,7 +30,7 @@ struct FieldInputs {
   // The following variables give the position of the field on the picture.
   glm::ivec2 size{0}, base{0};
   glm::vec2 start{0}, perPixel{1}, slope{0};
-  bool tiled = false, relief = false, encodes = true, reduces = false, smoothColors = false;
+  bool tiled = false, relief = false, encodes = true, reduces = false, splined = false, fine = false;
   glm::vec3 border{0};
   float opacity = 1;
 };

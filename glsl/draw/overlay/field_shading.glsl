@@ -1,9 +1,9 @@
 // Draws a field in the picture. Each pixel is the exact mean of the cells under it, so the edges of cells are
 // antialiased and nothing shimmers during a zoom. If a pixel covers less than a cell, values are averaged over a box of
-// one cell around the pixel, which equals linear interpolation. Smooth colours (`smoothColors`) are averaged over such
-// a box a second time, which gives a quadratic spline without creases. With `colored`, the light of cells is averaged;
-// otherwise, values are averaged and the mean is coloured. Reads the uniforms of field_view.glsl. Compiles as GLSL and
-// as C++, after field_values.glsl and film.glsl.
+// one cell around the pixel, which equals linear interpolation. Smooth fields (`splined`) are averaged over such a box a
+// second time, which gives a quadratic spline without creases at the cells. With `colored`, the light of cells is
+// averaged; otherwise, values are averaged and the mean is coloured. Reads the uniforms of field_view.glsl. Compiles as
+// GLSL and as C++, after field_values.glsl and film.glsl.
 
 // Returns one element (cell or texel). With `colored`, rgb is the light. a is the position of the value in the range (0
 // to 1).
@@ -88,8 +88,9 @@ FUNCTION vec4 splineAt(vec2 place) {
 // Returns the colour of a pixel, averaged over `middle` +- `reach`. Between half an element and one element per pixel,
 // the result changes gradually from the spline to the mean.
 FUNCTION vec4 seenAround(vec2 middle, vec2 reach) {
+  if (fine && splined) return splineAt(middle);
   ROUNDED float coarse = 2.0f * max(perPixel.x, perPixel.y) - 1.0f;
-  float share = smoothColors ? clamp(coarse, 0.0f, 1.0f) : 1.0f;
+  float share = splined ? clamp(coarse, 0.0f, 1.0f) : 1.0f;
   vec4 mean = vec4(0.0f), spline = vec4(0.0f);
   if (share > 0.0f) {
     ROUNDED vec2 a = middle - reach;
@@ -143,7 +144,7 @@ FUNCTION vec3 lit(vec3 color, vec2 middle, vec2 reach) {
   ROUNDED vec2 b4 = b - down;
   ROUNDED float riseX = (meanOver(a1, b1).w - meanOver(a2, b2).w) * inverse(twice.x);
   ROUNDED float riseY = (meanOver(a3, b3).w - meanOver(a4, b4).w) * inverse(twice.y);
-  if (smoothColors) {
+  if (splined) {
     ROUNDED vec2 after = middle + right;
     ROUNDED vec2 before = middle - right;
     ROUNDED vec2 below = middle + down;
@@ -177,7 +178,7 @@ FUNCTION vec4 fieldPixel(ivec2 at) {
   ROUNDED vec2 halfway = 0.5f * (from + to);
   vec2 middle = clamp(halfway, -3e7f, 3e7f);
   // Averages over at most 80 elements per side. If a small field repeats many times within a pixel, this is enough.
-  ROUNDED vec2 reach = 0.5f * clamp(perPixel, vec2(colored && !smoothColors ? 1e-5f : 1.0f), vec2(40.0f));
+  ROUNDED vec2 reach = 0.5f * clamp(perPixel, vec2(colored && !splined ? 1e-5f : 1.0f), vec2(40.0f));
   float inside = 1.0f;
   if (!tiled) {
     vec2 low = vec2(-base), high = vec2(size - base);

@@ -1,8 +1,9 @@
 // Uniforms and defines of a field's position in the picture. REDUCED: reads a texture of averaged blocks. RELIEF:
-// shades the field as if lit. OVER: returns encoded colours for the finished picture instead of light. SMOOTH_COLORS:
-// interpolates colours between cells, which are squares otherwise. TILED: repeats the field beyond its borders, where
-// `border` is displayed otherwise. These are defines because software drivers execute both sides of every branch and
-// divisions are expensive.
+// shades the field as if lit. OVER: returns encoded colours for the finished picture instead of light. SPLINED:
+// interpolates values or colours between cells, which are squares otherwise. FINE: no pixel covers more than half a
+// cell on a side, so a SPLINED field needs no means. TILED: repeats the field beyond its borders, where `border` is
+// displayed otherwise. These are defines because software drivers execute both sides of every branch and divisions are
+// expensive.
 #ifdef REDUCED
 layout(binding = reducedUnit) uniform sampler2D reduced;
 #endif
@@ -51,10 +52,15 @@ const bool encodes = true;
 const bool encodes = false;
 #endif
 
-#ifdef SMOOTH_COLORS
-const bool smoothColors = true;
+#ifdef SPLINED
+const bool splined = true;
 #else
-const bool smoothColors = false;
+const bool splined = false;
+#endif
+#ifdef FINE
+const bool fine = true;
+#else
+const bool fine = false;
 #endif
 
 #ifdef REDUCED

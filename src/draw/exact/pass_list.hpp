@@ -9,8 +9,8 @@ namespace simreel::draw {
 // Factories of the passes, defined in draw/exact/passes.
 PassMaker makeSkins, makeThings, makeRayScene, makeJoined, makeLampMaps, makeSunMap, makeMirrors, makeView,
     makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended, makeSurfaces,
-    makeRayLight, makeLayers, makeMirrored, makeReflected, makeKeptLight, makeGlows, makeMean, makeKeptGlow,
-    makeFieldsBehind, makeScatter, makeFilm;
+    makeRayLight, makeLayers, makeMirrored, makeReflected, makeBehindGlass, makeFarGlass, makeNearGlass,
+    makeKeptLight, makeGlows, makeMean, makeKeptGlow, makeFieldsBehind, makeScatter, makeFilm;
 
 /// Resources that hold only the current band of a picture. A pass with Each::view ends the loop over the
 /// bands. If later passes read one of these resources, the passes that wrote it run again, band by band.
@@ -51,6 +51,16 @@ inline constexpr PassEntry exactPasses[] = {
     {"reflected", Each::band, "reflections",
      {"mirrors", "mirrored", "visibility", "tiles", "through", "openness", "skins"}, {"light"}, {},
      makeReflected},
+    {"behind far glass", Each::view, "reflections", {"things", "light", "nearness"}, {"behind glass"}, {},
+     makeBehindGlass},
+    {"far glass", Each::band, "surfaces",
+     {"visibility", "view", "skins", "lights", "sun map", "lamp maps", "behind glass", "light"}, {"light"}, {},
+     makeFarGlass},
+    {"behind near glass", Each::view, "reflections", {"things", "light", "nearness"}, {"behind glass"}, {},
+     makeBehindGlass},
+    {"near glass", Each::band, "surfaces",
+     {"visibility", "view", "skins", "lights", "sun map", "lamp maps", "behind glass", "light"}, {"light"}, {},
+     makeNearGlass},
     {"kept light", Each::band, nullptr, {"light"}, {}, {"light"}, makeKeptLight},
     {"glows", Each::band, "instances", {"things", "visibility", "light"}, {"light"}, {}, makeGlows},
     {"mean", Each::view, "lens", {"light", "view"}, {"light", "view"}, {"light"}, makeMean},

@@ -41,19 +41,21 @@ bool averagesLight(const sim::Field& field) {
   return field.categories || !field.display->smooth || field.cells == sim::Field::Cells::colors;
 }
 
-bool hasSmoothColors(const sim::Field& field) {
-  return field.cells == sim::Field::Cells::colors && field.display->smooth;
+/// True if magnified values or colours are a quadratic spline, which has no creases at the cells.
+bool isSplined(const sim::Field& field) {
+  return field.display->smooth && !field.categories;
 }
 
 bool hasRelief(const sim::Field& field) {
   return field.display->relief != 0 && !field.categories;
 }
 
-/// True if no pixel covers more than one element along an axis, so that a pixel's box touches at most two
-/// elements along each axis.
-bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, double seconds) {
+/// True if no pixel covers more than `elements` on a side. With one element, a pixel's box touches at most
+/// two elements per side.
+bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, double seconds,
+                 double elements) {
   const glm::dvec2 perPixel = fieldView(*field.display, field.size, picture, seconds).perPixel;
-  constexpr double most = 0.999;  // slightly below 1, to allow for float rounding
+  const double most = 0.999 * elements;  // slightly less, to allow for float rounding
   return reduction == 1 && perPixel.x <= most && perPixel.y <= most;
 }
 
@@ -124,8 +126,9 @@ FieldDrawVariant FieldPass::variant(const sim::Field& field, const Kept& kept, d
                        // OPAQUE avoids reading the picture that the field hides. Software drivers would
                        // read the picture even in a branch that is not taken.
                        .opaque = exact_ && over && field.display->opacity.at(seconds) >= 1,
-                       .magnified = isMagnified(field, kept.reduction, picture_, seconds),
-                       .smoothColors = hasSmoothColors(field),
+                       .magnified = isMagnified(field, kept.reduction, picture_, seconds, 1),
+                       .splined = isSplined(field),
+                       .fine = isMagnified(field, kept.reduction, picture_, seconds, 0.5),
                        .tiled = field.display->tiled,
                        .relief = hasRelief(field)};
   if (exact_) all.rows = rowsFor(field);

@@ -34,7 +34,8 @@ struct FieldDrawVariant {
   gl::Flag<"OVER"> over;
   gl::Flag<"OPAQUE"> opaque;
   gl::Flag<"MAGNIFIED"> magnified;
-  gl::Flag<"SMOOTH_COLORS"> smoothColors;
+  gl::Flag<"SPLINED"> splined;
+  gl::Flag<"FINE"> fine;
   gl::Flag<"TILED"> tiled;
   gl::Flag<"RELIEF"> relief;
   gl::Range<"ROWS", 1, 8> rows = {};  ///< number of pixels per invocation of the exact rasterizer

@@ -25,7 +25,7 @@ void FieldDisplay::describe(scene::Fields& fields) {
   fields.vector("center", center, {-1e6, 1e6}, "", "Point of the field in the middle, as fractions of it.");
   fields.number("zoom", zoom, {1e-3, 1e6}, "", "Magnification.");
   fields.number("opacity", opacity, {0, 1}, "", "Opacity; 0 hides it.");
-  fields.boolean("smooth", smooth, "Linear between cells; else each cell is a square.");
+  fields.boolean("smooth", smooth, "Smooth between cells; else each cell is a square.");
   fields.boolean("tiled", tiled, "Repeated beyond its border.");
   fields.color("border", border, scene::notNegative, "Colour beyond its border, linear RGB.");
   fields.number("relief", relief, {-100, 100}, "",

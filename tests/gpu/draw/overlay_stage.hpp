@@ -104,7 +104,7 @@ struct FieldOnPicture {
     inputs.categories = field.categories;
     const bool ownColors = field.cells == simreel::sim::Field::Cells::colors;
     inputs.colored = field.categories || !display.smooth || ownColors;
-    inputs.smoothColors = ownColors && display.smooth;
+    inputs.splined = display.smooth && !field.categories;
     inputs.tiled = display.tiled;
     inputs.relief = display.relief != 0 && !field.categories;
     inputs.encodes = display.layer == simreel::sim::FieldDisplay::Layer::over;

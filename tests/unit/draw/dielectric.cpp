@@ -1,4 +1,5 @@
-// Tests Fresnel's equations and Snell's law for a dielectric surface by comparison with double precision.
+// Tests Fresnel's equations and Snell's law for a dielectric surface, and rays through clear solids,
+// against double precision.
 #include "draw/picture_code.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace dielectric {
 using namespace simreel::shader;  // NOLINT: the model is written in GLSL's names
 #define FUNCTION inline
 #define precise
-#include "glsl/draw/exact/rays/dielectric.glsl"
+#include "glsl/draw/exact/surface/refraction.glsl"
 #undef precise
 #undef FUNCTION
 
@@ -70,4 +71,35 @@ TEST_CASE("clear surfaces: refraction follows Snell's law") {
     }
   CHECK(worst < 1e-6);
   CHECK(length < 1e-6);
+}
+
+TEST_CASE("clear solids: rays through a ball and through a slab are exact") {
+  constexpr double radius = 0.7, thick = 0.3;
+  const glm::vec3 up(0, 0, 1);
+  double worst = 0;
+  const auto check = [&](const dielectric::Crossing& crossing, double metres, const glm::dvec3& direction,
+                         const glm::dvec3& place) {
+    worst = std::max({worst, std::abs(static_cast<double>(crossing.metres) - metres),
+                      glm::length(glm::dvec3(crossing.direction) - direction),
+                      glm::length(glm::dvec3(crossing.place) - place)});
+  };
+  for (const double ior : {1.33, 1.5, 2.42})
+    for (int i = 1; i < 85; ++i) {
+      const double angle = i * 3.14159265358979 / 180, beyond = std::asin(std::sin(angle) / ior);
+      const glm::dvec3 towards(std::sin(angle), 0, std::cos(angle));
+      const glm::dvec3 inside(-std::sin(beyond), 0, -std::cos(beyond));
+      // The centre of the ball is straight below the entry. The ray turns by the same angle at both ends.
+      const glm::dvec3 leaving = -2 * radius * std::cos(angle) * towards;
+      const glm::dvec3 outward = leaving / radius + glm::dvec3(0, 0, 1);
+      const double last = 2 * beyond - angle, chord = 2 * radius * std::cos(beyond);
+      check(dielectric::crossingOf(glm::vec3(0), glm::vec3(towards), up, static_cast<float>(1 / radius),
+                                   glm::vec3(leaving), glm::vec3(outward), static_cast<float>(ior)),
+            chord, {-std::sin(last), 0, -std::cos(last)}, chord * inside);
+      const double across = thick / std::cos(beyond);
+      check(dielectric::crossingOf(glm::vec3(0), glm::vec3(towards), up, 0,
+                                   glm::vec3(towards * (-thick / std::cos(angle))), -up,
+                                   static_cast<float>(ior)),
+            across, -towards, across * inside);
+    }
+  CHECK(worst < 2e-5);
 }

@@ -20,7 +20,8 @@
 // - the mirror is so curved that neighbouring half pixels reflect points 1/8 to 3/4 half pixels apart, which would be
 // noise;
 // - the roughness goes from 0.1 to 0.3, because rougher mirrors would need blurred edges.
-// The remaining weight counts as a miss.
+// The remaining weight counts as a miss. REFRACTED: the ray has passed through glass. It has no plane of its own, and
+// neither the roughness nor the curvature reduce the weight: they only blur what is seen.
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
@@ -110,8 +111,14 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, 
   precise float downEnd = left.y * exactReciprocal(abs(along.y) < 1e-6f ? 1e-6f : along.y);
   float border = min(abs(along.x) < 1e-6f ? 1e9f : acrossEnd, abs(along.y) < 1e-6f ? 1e9f : downEnd);
   precise float back = 2.0f * exactDot(direction, towards);
+#ifdef REFRACTED
+  precise float counts = 1.0f - easedBetween(back);
+  bool leaves = square > 1e-12f;
+  slope = vec2(0.0f);
+#else
   precise float counts = smoothnessOf(roughness) * (1.0f - easedBetween(back));
   bool leaves = steep < 0.0f && exactDot(direction, facing) > 0.0f && square > 1e-12f;
+#endif
   way.from = from;
   way.along = along;
   way.nearness = nearness;
@@ -212,7 +219,11 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
     MirrorCell cell = mirrorCell(way, beyond, perWay, t, level);
     bool behind = cell.nearest > min(cell.here, cell.there);
     precise vec2 aside = vec2(cell.at) + 0.5f - way.from;
+#ifdef REFRACTED
+    const float own = 0.0f;
+#else
     precise float own = ownPlane + (way.slope.x * aside.x + way.slope.y * aside.y);
+#endif
     precise float deep = cell.nearest - max(cell.here, cell.there);
     met = behind && level == 0 && cell.nearest > own && deep < thickAt(cell);
     t = met || (behind && level > 0) ? t : cell.next;
@@ -230,7 +241,11 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
     precise float slopes = abs(slope.x) + abs(slope.y);
     precise float deep = metDeep - min(slopes, partOf(cell.nearest, 0.01f));
     precise float part = deep * (1.0f + 16.0f * hit.spread) * exactReciprocal(max(thickAt(cell), 1e-18f));
+#ifdef REFRACTED
+    const float bent = 0.0f;
+#else
     precise float bent = (hit.spread - 0.125f) * 1.6f;
+#endif
     precise float counts = (1.0f - easedBetween(part)) * (1.0f - easedBetween(bent));
     hit.counts = counts;
   }

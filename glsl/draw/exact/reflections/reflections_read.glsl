@@ -1,6 +1,6 @@
 // Screen-space reflections of shaded points (REFLECTED). They replace part of the reflected surroundings
-// (draw/surface/lighting.glsl).
-#ifdef REFLECTED
+// (draw/surface/lighting.glsl). REFRACTED: rays through glass instead.
+#if defined REFLECTED || defined REFRACTED
 #include "common/once.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/reflections/levels.glsl"
@@ -23,15 +23,33 @@ vec4 litAt(int level, ivec2 at) {
 }
 #include "draw/exact/reflections/mirrored_way.glsl"
 
-// Returns the reflected light and its weight. `ground` is the distance (m) at which the ray hits the ground, or -1 if
-// it does not. The loops of at most one iteration replace branches, because software drivers execute both sides of a
-// branch.
+#ifdef REFRACTED
+// Returns the light and weight of the ground at the end of the path, if the picture shows the ground there, away from objects that
+// hide it.
+vec4 groundMet(MirrorWay way, float ground, float roughness) {
+  MirrorHit hit;
+  hit.at = way.end;
+  hit.counts = 1.0f;
+  hit.spread = spreadAt(way, way.end);
+  precise vec2 q = way.from + way.along * way.end;
+  precise float there = way.nearness + way.rate * way.end;
+  precise float whole = 0.999f * ground;
+  bool reaches = ground > 0.0f && metresAlong(way, way.end) >= whole && nearestAt(2, ivec2(floor(q)) >> 2) <= there;
+  return reaches ? lightMirrored(way, hit, roughness) : vec4(0.0f);
+}
+#endif
+
+// Returns the reflected light and its weight. `ground`: distance (m) at which the ray hits the ground, or -1 if it does
+// not. The loops of at most one iteration replace branches, because software drivers execute both sides of a branch.
 vec4 lightMet(vec3 p, vec3 direction, float ground, vec3 towards, float roughness) {
   vec4 light = vec4(0.0f);
   MirrorWay way = mirrorWay(p, direction, ground, facing_, towards, turns_, roughness);
   for (int i = way.counts > 0.0f ? 0 : 1; i < 1; ++i) {
     MirrorHit hit = followMirrored(way);
     for (int j = hit.counts > 0.0f ? 0 : 1; j < 1; ++j) light = lightMirrored(way, hit, roughness);
+#ifdef REFRACTED
+    for (int j = hit.counts > 0.0f ? 1 : 0; j < 1; ++j) light = groundMet(way, ground, roughness);
+#endif
   }
   return light;
 }

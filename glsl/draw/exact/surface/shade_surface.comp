@@ -2,8 +2,8 @@
 // covers it, else at the first sample that shows the triangle. JOINED: shades several surfaces without textures.
 // Defines: SAMPLES; SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED;
 // TEXTURED (BUMPED) or SKIN (with a LOOK_ define of draw/surface/skin_look.glsl), by uv of a GRID or a mesh, or
-// TRIPLANAR; EDGES (draws the edges of triangles); maps (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a blended layer); and the defines of
-// draw/surface/lighting.glsl. BY_UV: SHOWN has a value that is computed from texture coordinates.
+// TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a blended layer); GLASS (a layer of glass,
+// REFRACTED in glass.glsl); and the defines of draw/surface/lighting.glsl.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #ifdef JOINED
@@ -92,6 +92,9 @@ vec3 color_ = once(color);
 uniform vec3 material;  // material values: roughness, metallic, translucency
 vec3 material_ = once(material);
 #endif
+#ifdef GLASS
+#include "draw/exact/surface/glass.glsl"
+#endif
 
 vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #ifdef JOINED
@@ -175,6 +178,11 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   look.openness = open;
   light = found.skin.emission;
 #endif
+#ifdef GLASS
+  precise vec3 clearBase = (1.0f - look.metallic) * look.base;
+  precise vec3 matt = look.base - glass_.x * clearBase;
+  look.base = matt;
+#endif
 #ifdef RAYS
   keepSurfaceSpot(spot, look, normal, firstSample(pixel) + sampleAt, owner_, clear_);
 #else
@@ -210,6 +218,8 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
   alpha = there;
 #endif
   return vec4(light, alpha);
+#elif defined GLASS
+  return throughGlass(light, clearBase, look.roughness, spot, pixel, sampleAt);
 #elif defined REFLECTED
   return vec4(light, 0.0f);
 #else

@@ -64,7 +64,7 @@ vec3 weightsBeside(Spot spot, vec2 aside) {
   return ofSumOne(weightsAround(spot.a, spot.b, spot.c, at));
 }
 
-#ifdef REFLECTED
+#if defined REFLECTED || defined REFRACTED
 // Returns the angle between the normals of neighbouring half pixels (radians): the larger of the angles along x and y.
 float turnsOn(Spot spot) {
   vec3 a = unpackedUnit(texelFetch(vertices, spot.corners.x).w), b = unpackedUnit(texelFetch(vertices, spot.corners.y).w);

@@ -29,7 +29,7 @@ class ThingsPass final : public FramePass {
     if (f.lamps.on()) f.lamps.update(f.moment.seconds, *f.moment.drawables);
     f.drawables = f.lamps.on() ? f.lamps.withGlows(*f.moment.drawables) : *f.moment.drawables;
     sayFinishes();
-    overlaid_.apply(f.scene, f.drawables);
+    if (!f.traces()) f.glass.extractFrom(f.drawables.surfaces);
     f.apart.extractFrom(f.drawables.surfaces);
     if (f.apart.anyBlended()) beginLayers();
     f.seen = viewAt(f.scene.camera, f.moment.seconds, f.size, f.drawables, groundSeen(f.scene));
@@ -56,11 +56,6 @@ class ThingsPass final : public FramePass {
             "{}: particles have the colour, roughness and metal of their material; maps, light of its own, "
             "opacity, coats and sheen are of surfaces alone",
             objectName(instances));
-    if (f.traces()) return;
-    for (const sim::Surface& surface : f.drawables.surfaces)
-      if (surface.material->finish.transmission > 0 && said_.insert(objectName(surface) + " clear").second)
-        warn("{}: light goes through it with render.quality \"high\" alone; it is drawn opaque",
-             objectName(surface));
   }
 
   OverlaidThings overlaid_;

@@ -60,10 +60,12 @@ class TilesPass final : public FramePass {
  public:
   explicit TilesPass(ExactFrame& frame)
       : FramePass(frame), tiles_(frame.visibility, frame.ground, frame.shadow.on()) {}
-  void run() override { list(tiles_, ExactInstances::anyAdd(f.drawables) || f.keepsLayers() || f.layered); }
+  void run() override {
+    list(tiles_, ExactInstances::anyAdd(f.drawables) || f.keepsLayers() || f.layered || f.glass.any());
+  }
   void again() override {
     if (!again_) again_.emplace(f.visibility, f.ground, f.shadow.on(), false);
-    list(*again_, ExactInstances::anyAdd(f.drawables) || f.layered);
+    list(*again_, ExactInstances::anyAdd(f.drawables) || f.layered || f.glass.any());
   }
 
  private:

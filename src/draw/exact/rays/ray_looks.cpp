@@ -1,6 +1,5 @@
 #include "draw/exact/rays/ray_looks.hpp"
 
-#include "base/ieee.hpp"
 #include "draw/exact/reserve.hpp"
 #include "draw/exact/surface/surface_shading.hpp"
 #include "draw/surface/skin_look.hpp"
@@ -24,19 +23,8 @@ glm::uvec4 bitsOf(glm::vec4 v) {
           std::bit_cast<unsigned>(v.w)};
 }
 
-/// Returns the absorption coefficient a (1/m). After a distance of d metres the material transmits the
-/// fraction e^(-a d) of light.
-glm::vec3 absorptionOf(const scene::Finish& finish) {
-  glm::vec3 absorbed(0);
-  if (finish.thin) return absorbed;
-  for (int i = 0; i < 3; ++i)
-    absorbed[i] = static_cast<float>(-ieee::log(static_cast<double>(finish.attenuation[i])) /
-                                     static_cast<double>(finish.attenuationDistance));
-  return absorbed;
-}
-
-/// Returns the alpha mode as a number for the material table. A number above 0 is the opacity below which
-/// there is a hole. -1 means blended, and 0 means opaque.
+/// Returns the alpha mode as a number in the material table. Above 0: cutoff of holes; -1: blended; 0:
+/// opaque.
 float limitOf(const scene::Finish& finish) {
   if (finish.alpha == scene::Alpha::opaque) return 0;
   return finish.alpha == scene::Alpha::cut ? std::max(finish.cutoff, 1e-6F) : -1.0F;

@@ -40,6 +40,7 @@ ExactFrame::ExactFrame(const scene::Scene& shown, const Environment* around, glm
       triangles(TriangleRaster::Into::picture, count),
       surfaces(shown, {lit(), lights()}),
       apart({pixels.x, rows}, count, surfaces, isParallel(shown.camera)),
+      glass(pixels, {pixels.x, rows}, count, surfaces, isParallel(shown.camera)),
       instances(count, {lit(), lights()}),
       groundShading(lights()),
       light(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {

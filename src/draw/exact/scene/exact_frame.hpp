@@ -8,6 +8,7 @@
 #include "draw/exact/reflections/reflections.hpp"
 #include "draw/exact/scene/apart.hpp"
 #include "draw/exact/scene/exact_scene.hpp"
+#include "draw/exact/scene/glass.hpp"
 #include "draw/exact/scene/lamp_maps.hpp"
 #include "draw/exact/surface/surface_shading.hpp"
 #include "draw/exact/tiles/shaded_tiles.hpp"
@@ -96,8 +97,8 @@ struct ExactFrame {
 
   // The following members are the state of one moment. A shutter has several moments.
   ExactScene::Moment moment;
-  sim::Drawables drawables;  ///< the moment's objects, plus the glows of lamps, without cut-out and blended
-                             ///< surfaces
+  sim::Drawables drawables;  ///< the moment's objects, plus the glows of lamps, without cut-out, blended
+                             ///< and clear surfaces
   View seen;
   bool joins = false;    ///< true if the surfaces are joined into one mesh
   bool mirrors = false;  ///< true if any object reflects the scene
@@ -130,6 +131,7 @@ struct ExactFrame {
   std::optional<Reflections> reflections;
   SurfaceShading surfaces;
   ApartSurfaces apart;
+  GlassSurfaces glass;
   ExactInstances instances;
   gl::Kernels<ShadeGround> groundShading;
   std::optional<RayLight> rays;

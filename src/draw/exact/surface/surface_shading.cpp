@@ -1,5 +1,6 @@
 #include "draw/exact/surface/surface_shading.hpp"
 
+#include "base/ieee.hpp"
 #include "draw/surface/skin_look.hpp"
 #include "draw/surface/surface_pass.hpp"
 #include "draw/surface_fields.hpp"
@@ -33,6 +34,8 @@ struct SurfaceVariant {
   gl::Flag<"COAT"> coat;
   gl::Flag<"SHEEN"> sheen;
   gl::Flag<"BLENDED"> blended;
+  gl::Flag<"GLASS"> glass;
+  gl::Flag<"REFRACTED"> refracted;
   gl::Flag<"VERTEX_COLORS"> vertexColors;
   gl::Flag<"LOOK_LEATHER"> leather;
   gl::Flag<"LOOK_SPOTS"> spots;
@@ -71,6 +74,16 @@ struct FinishValues {
   gl::Uniform<"opacity", float> opacity;
 };
 
+/// Uniforms, buffers and textures that draw/exact/surface/glass.glsl declares.
+struct GlassSource {
+  gl::Uniform<"glass", glm::vec2> glass;
+  gl::Uniform<"absorbed", glm::vec3> absorbed;
+  gl::Uniform<"glassLayer", glm::ivec4> layer;
+  gl::In<"behindLight"> behind;
+  gl::In<"layerKeys"> nextKeys;
+  gl::In<"layerIds"> nextIds;
+};
+
 /// Uniforms, buffers and textures that draw/exact/surface/surface_texture.glsl declares.
 struct SurfaceTexture {
   gl::In<"albedo"> albedo;
@@ -102,6 +115,7 @@ struct ShadeSurface {
   SurfaceSeen seen = {};
   SurfaceMaps maps = {};
   FinishValues finish = {};
+  GlassSource glass = {};
   SurfaceTexture texture = {};
   SkinValues skin = {};
   gl::In<"skinTexels"> skinTexels = {};
@@ -147,6 +161,8 @@ SurfaceVariant variantOf(const sim::Surface& surface, bool skin) {
       .coat = finished && finish.coat > 0,
       .sheen = finished && finish.sheen != glm::vec3(0),
       .blended = finished && finish.alpha == scene::Alpha::blend,
+      .glass = false,
+      .refracted = false,
       .vertexColors = !skin && surface.colors != nullptr,
       .leather = looks(scene::Skin::Look::leather),
       .spots = looks(scene::Skin::Look::spots),
@@ -179,7 +195,30 @@ SurfaceSeen seenOf(const sim::Surface& surface, glm::vec2 repeats) {
           .modelScale = std::sqrt(std::max(glm::dot(surface.model[0], surface.model[0]), 1e-30F))};
 }
 
+ShadeSurface inputsOf(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn,
+                      const SceneLight& light) {
+  const sim::Surface& surface = *drawn.surface;
+  const scene::Material& material = *surface.material;
+  return {.light = light,
+          .triangles = raster.source(drawn),
+          .firstId = drawn.firstId,
+          .color = material.color,
+          .material = glm::vec3(material.roughness, material.metallic, material.translucency),
+          .texels = vertexTexels(surface),
+          .palette = orNone(surface.palette),
+          .tints = orNone(surface.colors)};
+}
+
 }  // namespace
+
+glm::vec3 absorptionOf(const scene::Finish& finish) {
+  glm::vec3 absorbed(0);
+  if (finish.thin) return absorbed;
+  for (int i = 0; i < 3; ++i)
+    absorbed[i] = static_cast<float>(-ieee::log(static_cast<double>(finish.attenuation[i])) /
+                                     static_cast<double>(finish.attenuationDistance));
+  return absorbed;
+}
 
 bool SurfaceShading::textureRepeats(const sim::Surface& surface) {
   return surface.normals != nullptr || glm::vec2(surface.material->textureScale) != glm::vec2(1);
@@ -198,8 +237,8 @@ SurfaceShading::SurfaceShading(const scene::Scene& scene, Lighting lighting)
 
 const gl::Kernel<ShadeSurface>& SurfaceShading::kernel(const SurfaceVariant& surface, bool smooth) {
   ThingVariant thing = showing(lighting_.variant, shown_, smooth);
-  if (surface.blended.on) {  // The shading of blended layers ignores ambient occlusion and the layers in
-                             // front (BEHIND).
+  if (surface.blended.on || surface.glass.on) {  // shading of layers ignores ambient occlusion and the
+                                                 // layers in front (BEHIND)
     thing.shade.occlusion = false;
     thing.shade.behind = false;
   }
@@ -220,15 +259,7 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   const bool smooth = mirrorsScene(surface, skins);
   if (shown_ == shownReflections && !smooth) return;
   const SkinTextures::Entry* skin = material.skin ? skins.find(*material.skin) : nullptr;
-  const bool byUv = shown_ == shownUv || shown_ == shownOverlay(scene::Overlay::uv);
-  ShadeSurface given{.light = light,
-                     .triangles = raster.source(drawn),
-                     .firstId = drawn.firstId,
-                     .color = material.color,
-                     .material = glm::vec3(material.roughness, material.metallic, material.translucency),
-                     .texels = vertexTexels(surface),
-                     .palette = orNone(surface.palette),
-                     .tints = orNone(surface.colors)};
+  ShadeSurface given = inputsOf(raster, drawn, light);
   if (owner_) {
     given.owner = owner_(material);
     given.clear = !material.skin && material.finish.transmission > 0;
@@ -247,6 +278,25 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   SurfaceVariant variant = variantOf(surface, skin != nullptr);
   variant.edges = shown_ == shownOverlay(scene::Overlay::wireframe);
   tiles.shade(thing, kernel(variant, smooth), given);
+}
+
+void SurfaceShading::shadeGlass(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn,
+                                const ShadedTiles& tiles, int thing, const SceneLight& light,
+                                const GlassLook& look) {
+  const scene::Finish& finish = drawn.surface->material->finish;
+  ShadeSurface given = inputsOf(raster, drawn, light);
+  layFinish(*drawn.surface, given);
+  given.glass = {.glass = glm::vec2(finish.transmission, finish.ior),
+                 .absorbed = absorptionOf(finish),
+                 .layer = glm::ivec4(finish.thin, look.nearest, !look.last, look.transparent),
+                 .behind = look.behind,
+                 .nextKeys = look.next->nearKeys(),
+                 .nextIds = look.next->numbers()};
+  SurfaceVariant variant = variantOf(*drawn.surface, false);
+  variant.glass = true;
+  variant.refracted = look.refracts && !finish.thin;
+  variant.reflective = true;
+  tiles.shade(thing, kernel(variant, true), given);
 }
 
 bool SurfaceShading::mirrorsScene(const sim::Surface& surface, const SkinTextures& skins) {

@@ -18,6 +18,20 @@ namespace simreel::draw {
 struct SurfaceVariant;
 struct ShadeSurface;
 
+/// Returns the absorption coefficient a (1/m). The material transmits the fraction e^(-a distance) of
+/// light.
+[[nodiscard]] glm::vec3 absorptionOf(const scene::Finish& finish);
+
+/// The picture behind a layer of glass.
+struct GlassLook {
+  bool refracts = false;  ///< true: rays are refracted; false: the layer shows what is straight behind it
+  bool transparent = false;          ///< true if the picture has no sky
+  bool nearest = false;              ///< true for the nearest layer of the picture
+  bool last = false;                 ///< true if there is no layer behind it
+  const Visibility* next = nullptr;  ///< the layer behind it, with the back sides of solids; if `last`, any
+  gl::Resource behind = {};          ///< light behind the layer
+};
+
 /// Shades surfaces on the tiles that show them. Each combination of material features has its own kernel,
 /// because software drivers execute both sides of a branch.
 class SurfaceShading {
@@ -30,6 +44,9 @@ class SurfaceShading {
   /// is missing is ignored.
   void shade(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn, const SkinTextures& skins,
              const ShadedTiles& tiles, int thing, const SceneLight& light);
+  /// Draws a layer of the glass `drawn` over the light behind it.
+  void shadeGlass(const TriangleRaster& raster, const TriangleRaster::Drawn& drawn,
+                  const ShadedTiles& tiles, int thing, const SceneLight& light, const GlassLook& look);
   /// True if the surface has no texture, skin or other finish, so it can be shaded together with others.
   [[nodiscard]] static bool isPlain(const sim::Surface& surface, const SkinTextures& skins);
   /// Adds the light of a group of plain surfaces whose triangles are consecutive in the joined mesh.
