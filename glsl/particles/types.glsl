@@ -34,7 +34,8 @@ struct STD140 ParticleConstants {
 // Longest run of a bucket in which pairs are searched: 27 runs stay below the loop limit of software drivers.
 const int ballRun = 2048;
 
-const int ballIterations = 4;  // over all contacts, per substep
+const int ballIterations = 4;   // over all contacts, per substep
+const int mostBallImpacts = 8;  // of one ball in a substep
 
 // Contact of particles as balls.
 struct STD140 BallConstants {

@@ -29,7 +29,7 @@ namespace {
 constexpr float scaleLengths = 3.0F;
 
 /// Greatest a dt^2 and v dt of "auto" substeps, as fractions of a ball's radius.
-constexpr double overlapOfStep = 3.5e-4, wayOfStep = 0.3;
+constexpr double overlapOfStep = 1.75e-4, wayOfStep = 0.3;
 
 void includeBall(std::optional<scene::Box>& box, const glm::vec3& middle, const glm::vec3& half) {
   scene::include(box, middle - half);
