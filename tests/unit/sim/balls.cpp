@@ -179,6 +179,16 @@ TEST_CASE("balls: friction ends the sliding of an impact, and does not reverse i
   CHECK(twin.velocities[1].y == doctest::Approx(0.05).epsilon(1e-3));
 }
 
+TEST_CASE("balls: of two impacts in a substep, the earlier one happens") {
+  // The first ball stops at the second, before it would graze the third in the same substep.
+  auto twin = balls::placed(
+      {{{-0.105F, 0, 0}, {20, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}, {{-0.075F, 0.099F, 0}, {0, 0, 0}}},
+      balls::parametersOf(3, 1));
+  balls::run(twin, 1);
+  CHECK(twin.velocities[1].x == doctest::Approx(20).epsilon(1e-4));
+  CHECK(glm::length(glm::vec3(twin.velocities[2])) < 1e-3F);
+}
+
 TEST_CASE("balls: a cradle with gaps sends one ball out for one in") {
   std::vector<balls::Ball> row = {{{-0.3F, 0, 0}, {1, 0, 0}}};
   for (int i = 0; i < 4; ++i) row.push_back({{0.102F * static_cast<float>(i), 0, 0}, {0, 0, 0}});
