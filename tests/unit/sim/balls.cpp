@@ -133,6 +133,9 @@ TEST_CASE("balls: an elastic head-on impact exchanges velocities by the closed f
     balls::run(twin, 10);
     CHECK(twin.velocities[0].x == doctest::Approx(2 * (mass - 1) / (mass + 1)).epsilon(1e-4));
     CHECK(twin.velocities[1].x == doctest::Approx(4 * mass / (mass + 1)).epsilon(1e-4));
+    // They meet at 0.05 s, within a substep.
+    const double since = 10 * balls::frame - 0.05;
+    CHECK(twin.positions[1].x == doctest::Approx(since * 4 * mass / (mass + 1)).epsilon(1e-4));
   }
 }
 
@@ -189,27 +192,39 @@ TEST_CASE("balls: of two impacts in a substep, the earlier one happens") {
   CHECK(glm::length(glm::vec3(twin.velocities[2])) < 1e-3F);
 }
 
-TEST_CASE("balls: a cradle with gaps sends one ball out for one in") {
-  std::vector<balls::Ball> row = {{{-0.3F, 0, 0}, {1, 0, 0}}};
-  for (int i = 0; i < 4; ++i) row.push_back({{0.102F * static_cast<float>(i), 0, 0}, {0, 0, 0}});
-  auto twin = balls::placed(row, balls::parametersOf(5, 1));
-  balls::run(twin, 30);
-  for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(twin.velocities[i].x) < 1e-3);
-  CHECK(twin.velocities[4].x == doctest::Approx(1).epsilon(1e-3));
+TEST_CASE("balls: of two impacts at the same time, the faster one happens first") {
+  auto twin =
+      balls::placed({{{-0.0995F, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}, {{0.0995F, 0, 0}, {-3, 0, 0}}},
+                    balls::parametersOf(3, 0.5F));
+  balls::run(twin, 1);
+  // The middle ball has -2.25 m/s after the first impact, so the second one has 3.25 m/s.
+  CHECK(twin.velocities[0].x == doctest::Approx(1 - 0.75 * 3.25).epsilon(1e-3));
 }
 
-TEST_CASE("balls: a cradle whose balls touch sends out as many balls as come in") {
-  for (const int in : {1, 2}) {
-    CAPTURE(in);
-    std::vector<balls::Ball> row;
-    for (int i = 0; i < 5; ++i)
-      row.push_back(
-          {{(i < in ? -0.3F : 0) + 0.1F * static_cast<float>(i), 0, 0}, {i < in ? 1.0F : 0.0F, 0, 0}});
-    auto twin = balls::placed(row, balls::parametersOf(5, 1));
-    balls::run(twin, 30);
-    for (int i = 0; i < 5; ++i)
-      CHECK(std::abs(twin.velocities[static_cast<std::size_t>(i)].x - (i < 5 - in ? 0.0F : 1.0F)) < 1e-3F);
-  }
+TEST_CASE("balls: an approach that is too slow for an impact ends") {
+  sim::ParticleParameters p = balls::parametersOf(2, 0.5F);
+  p.acceleration = glm::vec3(0, -9.81F, 0);
+  const float slow = 2.5F * 9.81F / 960;  // 2.5 times the speed of a fall of one substep
+  auto twin = balls::placed({{{-0.1001F, 0, 0}, {slow, 0, 0}, 1}, {{0, 0, 0}, {0, 0, 0}, 1000}}, p);
+  balls::run(twin, 2);
+  CHECK(std::abs(twin.velocities[0].x) < 0.02F * slow);
+}
+
+TEST_CASE("balls: a cradle sends out as many balls as come in, with gaps and without") {
+  for (const float gap : {0.0F, 0.002F})
+    for (const int in : {1, 2}) {
+      CAPTURE(gap);
+      CAPTURE(in);
+      std::vector<balls::Ball> row;
+      for (int i = 0; i < 5; ++i)
+        row.push_back({{(i < in ? -0.3F : 0) + (0.1F + gap) * static_cast<float>(i), 0, 0},
+                       {i < in ? 1.0F : 0.0F, 0, 0}});
+      auto twin = balls::placed(row, balls::parametersOf(5, 1));
+      balls::run(twin, 40);
+      for (int i = 0; i < 5; ++i)
+        CHECK(std::abs(twin.velocities[static_cast<std::size_t>(i)].x - (i < 5 - in ? 0.0F : 1.0F)) <
+              1e-3F);
+    }
 }
 
 TEST_CASE("balls: an elastic gas keeps its momentum and its energy") {
