@@ -35,7 +35,8 @@ struct STD140 ParticleConstants {
 // stay below the iteration limit of software drivers.
 const int ballRun = 2048;
 
-const int ballIterations = 4;  // Number of iterations over all contacts per substep
+const int ballIterations = 4;   // over all contacts, per substep
+const int mostBallImpacts = 8;  // of one ball in a substep
 
 // Contact of particles as balls.
 struct STD140 BallConstants {

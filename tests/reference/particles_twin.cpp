@@ -39,6 +39,8 @@ struct Kernel : WindKernel {
 #undef BRANCHES
 #include "glsl/fluid/wind_model.glsl"
 #include "glsl/mesh/height_model.glsl"
+#include "glsl/particles/contact/impact.glsl"
+#include "glsl/particles/contact/leave.glsl"
 #include "glsl/particles/contact/model.glsl"
 #include "glsl/particles/contact/push.glsl"
 #include "glsl/particles/contact/scale.glsl"
@@ -131,14 +133,19 @@ void ParticlesTwin::meet(int index, const std::function<void(const Meet&)>& body
   });
 }
 
-namespace {
-
 /// Balls of a substep in the order of their buckets.
-struct Balls {
+struct ParticlesTwin::Balls {
   std::vector<uint> slots;
   std::vector<vec4> guesses, begins, speeds, places;
   std::vector<std::vector<int>> lists;
+  [[nodiscard]] float perMass(std::size_t s) const {
+    return exactReciprocal(std::max(guesses[s].w, 1e-30F));
+  }
 };
+
+namespace {
+
+using Balls = ParticlesTwin::Balls;
 
 Balls sortedBalls(Kernel& kernel, const std::vector<vec4>& positions, const std::vector<vec4>& starts,
                   const std::vector<vec4>& velocities) {
@@ -195,25 +202,71 @@ void findNeighbours(Kernel& kernel, Balls& balls) {
   }
 }
 
+Kernel::BallPath pathOf(Kernel& kernel, const Balls& balls, std::size_t s) {
+  return kernel.ballPath(balls.places[s], balls.speeds[s]);
+}
+
+Kernel::BallImpact impactOf(Kernel& kernel, const Balls& balls, std::size_t a, std::size_t b) {
+  return kernel.ballImpact(pathOf(kernel, balls, a), pathOf(kernel, balls, b),
+                           balls.begins[a].w + balls.begins[b].w);
+}
+
+/// Returns the neighbour that each ball meets first; its own index if there is none.
+std::vector<std::size_t> partnersOf(Kernel& kernel, const Balls& balls) {
+  std::vector<std::size_t> partners;
+  for (std::size_t s = 0; s < balls.guesses.size(); ++s) {
+    partners.push_back(s);
+    Kernel::BallImpact best{};
+    best.time = -1;
+    uint bestTie = 0;
+    for (const int j : balls.lists[s]) {
+      const auto hit = impactOf(kernel, balls, s, static_cast<std::size_t>(j));
+      const uint tie = kernel.ballTie(static_cast<int>(s), j);
+      if (!kernel.ballSooner(hit, best, tie, bestTie)) continue;
+      best = hit;
+      bestTie = tie;
+      partners[s] = static_cast<std::size_t>(j);
+    }
+  }
+  return partners;
+}
+
 }  // namespace
 
-void ParticlesTwin::touchBalls(int index) {
+void ParticlesTwin::strikeBalls(int index, Balls& balls) {
   Kernel kernel{{}, steps_[static_cast<std::size_t>(index)]};
-  Balls balls = sortedBalls(kernel, positions, starts, velocities);
-  findNeighbours(kernel, balls);
-  const auto stateBefore = std::pair(positions, velocities);
-  const std::size_t count = positions.size();
+  for (int round = 0; round < plan_.ballImpacts(); ++round) {
+    const auto partners = partnersOf(kernel, balls);
+    auto places = balls.places, speeds = balls.speeds;
+    meet(index, [&](const Meet& out) {
+      for (std::size_t s = 0; s < partners.size(); ++s) {
+        const std::size_t other = partners[s];
+        if (other == s || partners[other] != s) continue;
+        const auto after = kernel.ballStruck(pathOf(kernel, balls, s), impactOf(kernel, balls, s, other),
+                                             balls.perMass(s), balls.perMass(other));
+        out(s, vec4(after.end, balls.guesses[s].w), vec4(after.velocity, balls.speeds[s].w),
+            &balls.begins[s]);
+        places[s] = vec4(vec3(positions[s]), balls.places[s].w);
+        speeds[s] = velocities[s];
+      }
+    });
+    balls.places = places;
+    balls.speeds = speeds;
+  }
+}
+
+void ParticlesTwin::correctBalls(int index, Balls& balls) {
+  Kernel kernel{{}, steps_[static_cast<std::size_t>(index)]};
   for (int round = 0; round < ballIterations; ++round) {
     std::vector<vec4> next = balls.places;
     meet(index, [&](const Meet& out) {
-      for (std::size_t s = 0; s < count; ++s) {
+      for (std::size_t s = 0; s < next.size(); ++s) {
         if (balls.begins[s].w <= 0) continue;
         const Kernel::Ball here{balls.places[s], balls.begins[s]};
-        const float perMass = exactReciprocal(std::max(balls.guesses[s].w, 1e-30F));
         vec3 sum(0);
         for (const int j : balls.lists[s]) {
           const auto other = static_cast<std::size_t>(j);
-          sum = sum + kernel.ballPush(here, {balls.places[other], balls.begins[other]}, perMass,
+          sum = sum + kernel.ballPush(here, {balls.places[other], balls.begins[other]}, balls.perMass(s),
                                       static_cast<int>(s) < j);
         }
         const vec3 place = vec3(here.place) + sum;
@@ -223,24 +276,31 @@ void ParticlesTwin::touchBalls(int index) {
     });
     balls.places = next;
   }
+}
+
+void ParticlesTwin::touchBalls(int index) {
+  Kernel kernel{{}, steps_[static_cast<std::size_t>(index)]};
+  Balls balls = sortedBalls(kernel, positions, starts, velocities);
+  findNeighbours(kernel, balls);
+  const auto stateBefore = std::pair(positions, velocities);
+  strikeBalls(index, balls);
+  const auto struck = balls.places;
+  correctBalls(index, balls);
   std::tie(positions, velocities) = stateBefore;
   const auto motionOf = [&](std::size_t s) {
-    return kernel.ballMotion(vec3(balls.guesses[s]), vec3(balls.speeds[s]), balls.places[s]);
+    return kernel.ballMotion(vec3(struck[s]), vec3(balls.speeds[s]), balls.places[s]);
   };
-  for (std::size_t s = 0; s < count; ++s) {
+  for (std::size_t s = 0; s < positions.size(); ++s) {
     if (balls.begins[s].w <= 0) continue;
     const auto here = motionOf(s);
-    const float perMass = exactReciprocal(std::max(balls.guesses[s].w, 1e-30F));
-    vec3 velocity = here.after, place = vec3(here.place);
-    bool touches = false;
+    auto leaving = kernel.ballLeaving(here);
     for (const int j : balls.lists[s]) {
       const auto other = static_cast<std::size_t>(j);
-      const vec4 kick = kernel.ballBounce(here, motionOf(other), balls.begins[s].w + balls.begins[other].w,
-                                          perMass, static_cast<int>(s) < j);
-      velocity = velocity + vec3(kick);
-      touches = touches || kick.w > 0;
+      leaving = kernel.ballBounce(leaving, here, motionOf(other), balls.begins[s].w + balls.begins[other].w,
+                                  balls.perMass(s), static_cast<int>(s) < j);
     }
-    if (touches && kernel.ballRests(vec3(balls.begins[s]), place, velocity)) {
+    vec3 velocity = kernel.ballLeft(leaving, here), place = vec3(here.place);
+    if (leaving.touches && kernel.ballRests(vec3(balls.begins[s]), place, velocity)) {
       place = vec3(balls.begins[s]);
       velocity = kernel.ballIdle(velocity);
     }

@@ -42,6 +42,7 @@ class ParticlesTwin {
   [[nodiscard]] const simreel::sim::ParticlePlan& plan() const { return plan_; }
   /// Discards the accelerations. Must be called after the state was changed from outside.
   void restart() { primed_ = false; }
+  struct Balls;
 
  private:
   /// Function that resolves the collisions of particle `i` on its path from `start` and stores the result.
@@ -50,6 +51,8 @@ class ParticlesTwin {
                                   const glm::vec4* start)>;
   void meet(int index, const std::function<void(const Meet&)>& body);
   void touchBalls(int index);
+  void strikeBalls(int index, Balls& balls);
+  void correctBalls(int index, Balls& balls);
   void attract(int threads);
   void kick(const simreel::shader::ParticleStep& data, int threads);
 

@@ -1,9 +1,11 @@
 // Computes the velocities with which balls leave their contacts, and writes the positions and velocities back to the
 // particles. One invocation per ball.
 #include "particles/contact/kernel.glsl"
+#include "particles/contact/leave.glsl"
 INPUT_ARRAY(placesBinding, PlaceBlock, places)
 INPUT_ARRAY(beginsBinding, BeginBlock, begins)
 INPUT_ARRAY(guessesBinding, GuessBlock, guesses)
+INPUT_ARRAY(struckBinding, StruckBlock, struck)
 INPUT_ARRAY(speedsBinding, SpeedBlock, speeds)
 INPUT_WORDS(listsBinding, ListBlock, lists)
 INPUT_WORDS(recordsBinding, RecordBlock, records)
@@ -11,7 +13,7 @@ STATE_ARRAY(nextBinding, PositionBlock, positions)
 STATE_ARRAY(ballVelocitiesBinding, VelocityBlock, velocities)
 
 BallMotion motionOf(int s) {
-  return ballMotion(LOAD_INPUT(guesses, s).xyz, LOAD_INPUT(speeds, s).xyz, LOAD_INPUT(places, s));
+  return ballMotion(LOAD_INPUT(struck, s).xyz, LOAD_INPUT(speeds, s).xyz, LOAD_INPUT(places, s));
 }
 
 void main() {
@@ -22,21 +24,19 @@ void main() {
   float mass = LOAD_INPUT(guesses, s).w;
   float perMass = exactReciprocal(max(mass, 1e-30f));
   BallMotion here = motionOf(s);
-  precise vec3 velocity = here.after;
-  bool touches = false;
+  BallLeaving leaving = ballLeaving(here);
   for (int k = 0; k < stepData.balls.listed; k += 4) {
     uvec4 four = LOAD_INPUT_WORDS(lists, (k >> 2) * stepData.count + s);
     for (int c = 0; c < 4 && int(four[c]) != s; ++c) {
       int j = int(four[c]);
       precise float reach = begin.w + LOAD_INPUT(begins, j).w;
-      vec4 kick = ballBounce(here, motionOf(j), reach, perMass, s < j);
-      velocity = velocity + kick.xyz;
-      touches = touches || kick.w > 0.0f;
+      leaving = ballBounce(leaving, here, motionOf(j), reach, perMass, s < j);
     }
     if (int(four.w) == s) break;
   }
   vec3 place = here.place.xyz;
-  if (touches && ballRests(begin.xyz, place, velocity)) {
+  vec3 velocity = ballLeft(leaving, here);
+  if (leaving.touches && ballRests(begin.xyz, place, velocity)) {
     place = begin.xyz;
     velocity = ballIdle(velocity);
   }

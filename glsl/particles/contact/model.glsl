@@ -1,5 +1,4 @@
-// Contact of particles as balls: the grid of cells in which pairs are searched, the overlap of a pair, and the change of
-// velocity of a pair. Compiles as GLSL and as C++ (the CPU twin of the tests). The including file provides `stepData`
+// Contact of particles as balls: the grid of cells in which pairs are searched, and the overlap of a pair. Compiles as GLSL and as C++ (the CPU twin of the tests). The including file provides `stepData`
 // (ParticleStep), common/exact.glsl and common/hash.glsl.
 
 // Returns a ball's radius in metres. It grows with the mass like the drawn size.
@@ -80,58 +79,4 @@ FUNCTION BallOverlap ballOverlap(vec3 a, vec3 b, float reach, bool first) {
   o.normal = same ? vec3(0.0f, first ? -1.0f : 1.0f, 0.0f) : normal;
   o.depth = same ? reach : depth;
   return o;
-}
-
-// Motion of a ball before and after the corrections.
-struct BallMotion {
-  vec3 guess;     // Position before the corrections, m
-  vec3 velocity;  // Velocity before the corrections, m/s
-  vec4 place;     // Corrected position, as in Ball
-  vec3 after;     // Velocity after the corrections, m/s
-};
-
-// Returns the change of velocity of ball a by ball b (xyz), and the overlap of the balls before the corrections (w). A
-// pair that overlapped leaves the contact with the fraction e of its approach speed, or with speed 0 if it approached
-// more slowly than `bounceFrom`. A pair that was already separating keeps its speed. The correction of the overlap
-// itself must not add speed: a pair that separates faster is slowed down, but by at most the speed of the correction.
-FUNCTION vec4 ballBounce(BallMotion a, BallMotion b, float reach, float perMass, bool first) {
-  BallOverlap before = ballOverlap(a.guess, b.guess, reach, first);
-  BallOverlap now = ballOverlap(vec3(a.place), vec3(b.place), reach, first);
-  precise vec3 relative = a.velocity - b.velocity;
-  precise vec3 left = a.after - b.after;
-  float approach = exactDot(relative, now.normal);
-  float leaves = exactDot(left, now.normal);
-  precise float returned = approach * -stepData.balls.restitution;
-  float wanted = approach < -stepData.balls.bounceFrom ? returned : max(approach, 0.0f);
-  precise float slowest = before.depth * -stepData.balls.perDt;
-  precise float difference = wanted - leaves;
-  float change = max(difference, slowest);
-  precise float shares = a.place.w + b.place.w;
-  precise float part = perMass * exactReciprocal(shares);
-  precise vec3 kick = now.normal * (change * part);
-  return vec4(before.depth > 0.0f ? kick : vec3(0.0f), before.depth);
-}
-
-// Returns the motion of a ball with the velocity that the corrections imply, v + (x - guess) / dt.
-FUNCTION BallMotion ballMotion(vec3 guess, vec3 velocity, vec4 place) {
-  precise vec3 after = velocity + (vec3(place) - guess) * stepData.balls.perDt;
-  BallMotion m;
-  m.guess = guess;
-  m.velocity = velocity;
-  m.place = place;
-  m.after = after;
-  return m;
-}
-
-// Returns true if a ball in contact is kept at its previous position. Without that, a heap would creep, by less than
-// the speed that the uniform acceleration adds in a substep, because friction has no memory. Below that speed, the
-// position is kept and the velocity decays (ballIdle). A force that is not balanced soon exceeds the speed.
-FUNCTION bool ballRests(vec3 start, vec3 place, vec3 velocity) {
-  precise vec3 way = (place - start) * stepData.balls.perDt;
-  precise float most = stepData.balls.restSpeed * stepData.balls.restSpeed;
-  return exactDot(way, way) < most && exactDot(velocity, velocity) < most;
-}
-FUNCTION vec3 ballIdle(vec3 velocity) {
-  precise vec3 slower = velocity * 0.9f;
-  return slower;
 }

@@ -44,6 +44,31 @@ struct BallNear {
   gl::Out<"lists"> lists;
 };
 
+struct BallChoose {
+  static constexpr auto file = "particles/contact/choose.comp";
+  gl::Block<"StepBlock", shader::ParticleStep> step;
+  gl::In<"places"> places;
+  gl::In<"begins"> begins;
+  gl::In<"speeds"> speeds;
+  gl::In<"lists"> lists;
+  gl::Out<"choices"> choices;
+};
+
+struct BallStrike {
+  static constexpr auto file = "particles/contact/strike.comp";
+  using Variant = ParticleSolids;
+  gl::Block<"StepBlock", shader::ParticleStep> step;
+  TouchPart touch;
+  gl::InOut<"StatusBlock"> status;
+  gl::In<"places"> places;
+  gl::In<"begins"> begins;
+  gl::In<"guesses"> guesses;
+  gl::In<"speeds"> speeds;
+  gl::In<"choices"> choices;
+  gl::Out<"nextPlaces"> next;
+  gl::Out<"nextSpeeds"> nextSpeeds;
+};
+
 struct BallSolve {
   static constexpr auto file = "particles/contact/solve.comp";
   using Variant = ParticleSolids;
@@ -63,6 +88,7 @@ struct BallLeave {
   gl::In<"places"> places;
   gl::In<"begins"> begins;
   gl::In<"guesses"> guesses;
+  gl::In<"struck"> struck;
   gl::In<"speeds"> speeds;
   gl::In<"lists"> lists;
   gl::In<"records"> records;
@@ -90,23 +116,28 @@ int checked(const std::string& name, int count, int listed) {
 BallContact::BallContact(const std::string& name, const ParticlePlan& plan, const ParticleSolids& solids,
                          bool fast)
     : count_(checked(name, plan.count(), plan.ballConstants().listed)),
+      impacts_(plan.ballImpacts()),
       keyBits_((std::bit_width(static_cast<unsigned>(plan.ballConstants().tableMask)) + 3) / 4 * 4),
       sort_(name + " contact order", count_) {
   const shader::BallConstants& balls = plan.ballConstants();
   table_ = gl::WordsArray(name + " contact table", balls.tableMask + 1);
   lists_ = gl::WordsArray(name + " contact lists", balls.listed / 4 * count_);
-  for (gl::Vec4Array* array : {&guesses_, &begins_, &speeds_, &places_[0], &places_[1]})
+  choices_ = gl::WordsArray(name + " contact choices", count_);
+  for (gl::Vec4Array* array :
+       {&guesses_, &begins_, &speeds_[0], &speeds_[1], &places_[0], &places_[1], &struck_})
     *array = gl::Vec4Array(name + " contact", count_);
   const gl::Defines defines = gl::kernelDefines(fast);
   key_ = gl::Kernel<BallKey>(defines);
   gather_ = gl::Kernel<BallGather>(defines);
   near_ = gl::Kernel<BallNear>(defines);
+  choose_ = gl::Kernel<BallChoose>(defines);
+  strike_ = gl::Kernel<BallStrike>(defines, solids);
   solve_ = gl::Kernel<BallSolve>(defines, solids);
   leave_ = gl::Kernel<BallLeave>(defines);
 }
 
-void BallContact::solve(const ParticlePart& part, const gl::Vec4Array& starts,
-                        const gl::Vec4Array& positions, const gl::Vec4Array& velocities) {
+void BallContact::search(const ParticlePart& part, const gl::Vec4Array& starts,
+                         const gl::Vec4Array& positions, const gl::Vec4Array& velocities) {
   ++stamp_;
   key_.dispatch(count_, {.step = part.step,
                          .status = part.status,
@@ -123,20 +154,49 @@ void BallContact::solve(const ParticlePart& part, const gl::Vec4Array& starts,
                             .records = sort_.records(),
                             .guesses = guesses_,
                             .begins = begins_,
-                            .speeds = speeds_,
+                            .speeds = speeds_[0],
                             .table = table_});
   near_.dispatch(count_, {.step = part.step,
                           .stamp = stamp_,
                           .guesses = guesses_,
                           .begins = begins_,
                           .table = table_,
-                          .places = places_[0],
+                          .places = struck_,
                           .lists = lists_});
+}
+
+void BallContact::strike(const ParticlePart& part) {
+  for (int i = 0; i < impacts_; ++i) {
+    choose_.dispatch(count_, {.step = part.step,
+                              .places = struck_,
+                              .begins = begins_,
+                              .speeds = speeds_[0],
+                              .lists = lists_,
+                              .choices = choices_});
+    strike_.dispatch(count_, {.step = part.step,
+                              .touch = part.touch,
+                              .status = part.status,
+                              .places = struck_,
+                              .begins = begins_,
+                              .guesses = guesses_,
+                              .speeds = speeds_[0],
+                              .choices = choices_,
+                              .next = places_[0],
+                              .nextSpeeds = speeds_[1]});
+    std::swap(struck_, places_[0]);
+    std::swap(speeds_[0], speeds_[1]);
+  }
+}
+
+void BallContact::solve(const ParticlePart& part, const gl::Vec4Array& starts,
+                        const gl::Vec4Array& positions, const gl::Vec4Array& velocities) {
+  search(part, starts, positions, velocities);
+  strike(part);
   for (int i = 0; i < shader::ballIterations; ++i) {
     solve_.dispatch(count_, {.step = part.step,
                              .touch = part.touch,
                              .status = part.status,
-                             .places = places_[0],
+                             .places = i == 0 ? struck_ : places_[0],
                              .begins = begins_,
                              .guesses = guesses_,
                              .lists = lists_,
@@ -147,7 +207,8 @@ void BallContact::solve(const ParticlePart& part, const gl::Vec4Array& starts,
                            .places = places_[0],
                            .begins = begins_,
                            .guesses = guesses_,
-                           .speeds = speeds_,
+                           .struck = struck_,
+                           .speeds = speeds_[0],
                            .lists = lists_,
                            .records = sort_.records(),
                            .positions = positions,

@@ -10,10 +10,12 @@ namespace simreel::sim {
 struct BallKey;
 struct BallGather;
 struct BallNear;
+struct BallChoose;
+struct BallStrike;
 struct BallSolve;
 struct BallLeave;
 
-/// Contact of particles with each other on the GPU (glsl/particles/contact): 180 bytes per particle, more
+/// Contact of particles with each other on the GPU (glsl/particles/contact): 240 bytes per particle, more
 /// if their radii differ. Sums have a fixed order, so the result has the same bits on every device.
 class BallContact {
  public:
@@ -27,13 +29,21 @@ class BallContact {
              const gl::Vec4Array& velocities);
 
  private:
-  int count_, keyBits_, stamp_ = 0;
+  /// Sorts the balls and lists neighbours.
+  void search(const ParticlePart& part, const gl::Vec4Array& starts, const gl::Vec4Array& positions,
+              const gl::Vec4Array& velocities);
+  /// Lets balls collide; their paths are in `struck_` and `speeds_[0]`.
+  void strike(const ParticlePart& part);
+
+  int count_, impacts_, keyBits_, stamp_ = 0;
   gl::RadixSort sort_;
-  gl::WordsArray table_, lists_;
-  gl::Vec4Array guesses_, begins_, speeds_, places_[2];
+  gl::WordsArray table_, lists_, choices_;
+  gl::Vec4Array guesses_, begins_, speeds_[2], places_[2], struck_;
   gl::Kernel<BallKey> key_;
   gl::Kernel<BallGather> gather_;
   gl::Kernel<BallNear> near_;
+  gl::Kernel<BallChoose> choose_;
+  gl::Kernel<BallStrike> strike_;
   gl::Kernel<BallSolve> solve_;
   gl::Kernel<BallLeave> leave_;
 };

@@ -28,9 +28,8 @@ namespace {
 /// Radius, in scale lengths, that contains most of a Plummer sphere or a disk.
 constexpr float scaleLengths = 3.0F;
 
-/// Maximum of a dt^2 and of v dt for "auto" substeps, as fractions of a ball's radius, where a is the
-/// acceleration, v the speed and dt the substep.
-constexpr double overlapOfStep = 3.5e-4, wayOfStep = 0.3;
+/// Greatest a dt^2 and v dt of "auto" substeps, as fractions of a ball's radius.
+constexpr double overlapOfStep = 1.75e-4, wayOfStep = 0.3;
 
 void includeBall(std::optional<scene::Box>& box, const glm::vec3& middle, const glm::vec3& half) {
   scene::include(box, middle - half);

@@ -119,6 +119,13 @@ shader::BallConstants ParticlePlan::planBalls() const {
   return balls;
 }
 
+int ParticlePlan::ballImpacts() const {
+  int impacts = 1;
+  for (float left = balls_.restitution; left > 0.1F && impacts < shader::mostBallImpacts; ++impacts)
+    left *= balls_.restitution;
+  return impacts;
+}
+
 float ParticlePlan::massReference() const {
   const ParticleParameters& p = parameters_;
   if (p.groups.empty()) return p.emitters.empty() ? 1.0F : p.emitters.front().mass;

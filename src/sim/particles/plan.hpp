@@ -62,6 +62,9 @@ class ParticlePlan {
 
   /// Returns the constants of contact that do not change with time.
   [[nodiscard]] const shader::BallConstants& ballConstants() const { return balls_; }
+  /// Returns the most impacts of one ball in a substep. An impulse that has passed through this many pairs
+  /// is below a tenth, unless the limit of 8 applies.
+  [[nodiscard]] int ballImpacts() const;
   [[nodiscard]] const ParticleParameters& parameters() const { return parameters_; }
   [[nodiscard]] double substepSeconds() const { return substepSeconds_; }
   /// Returns the number of colliders, which is the same in every step.

@@ -1,0 +1,82 @@
+// Impacts of two balls. Compiles as GLSL and as C++ (the CPU twin of the tests). The including file provides `stepData`
+// (ParticleStep), common/exact.glsl and collide/friction.glsl.
+
+// Straight path of a ball in a substep.
+struct BallPath {
+  vec3 end;       // Position at the end of the substep, m
+  vec3 velocity;  // in m/s
+};
+
+FUNCTION BallPath ballPath(vec4 end, vec4 velocity) {
+  BallPath path;
+  path.end = vec3(end);
+  path.velocity = vec3(velocity);
+  return path;
+}
+
+// Impact of ball a on ball b.
+struct BallImpact {
+  float time;     // Seconds after the start of the substep; negative if there is none
+  float speed;    // Speed of approach, m/s
+  vec3 normal;    // Unit vector from b to a
+  vec3 relative;  // Velocity of a relative to b, m/s
+};
+
+// Returns the first impact of two balls on their paths. Balls that overlap at the start and approach meet at once. An
+// approach that is slower than `bounceFrom`, or slower than a ten-thousandth of the relative speed, is no impact: those
+// pairs are left to the correction of positions.
+FUNCTION BallImpact ballImpact(BallPath a, BallPath b, float reach) {
+  BallImpact hit;
+  precise vec3 relative = a.velocity - b.velocity;
+  precise vec3 apart = (a.end - b.end) - relative * stepData.dt;
+  float squaredSpeed = exactDot(relative, relative);
+  float along = exactDot(apart, relative);
+  precise float beyond = exactDot(apart, apart) - reach * reach;
+  precise float discriminant = along * along - squaredSpeed * beyond;
+  precise float divisor = exactSqrt(max(discriminant, 0.0f)) - along;
+  precise float meets = beyond * exactReciprocal(max(divisor, 1e-20f));
+  hit.time = max(meets, 0.0f);
+  precise vec3 there = relative * hit.time + apart;
+  precise vec3 normal = there * exactInverseSqrt(max(exactDot(there, there), 1e-20f));
+  hit.normal = normal;
+  hit.relative = relative;
+  hit.speed = -exactDot(relative, normal);
+  precise float squaredApproach = hit.speed * hit.speed;
+  precise float least = squaredSpeed * 1e-8f;
+  bool fast = hit.speed > stepData.balls.bounceFrom && squaredApproach > least;
+  bool met = along < 0.0f && discriminant >= 0.0f && hit.time <= stepData.dt && fast;
+  hit.time = met ? hit.time : -1.0f;
+  return hit;
+}
+
+// Returns a number for a pair of balls that decides between impacts of the same time and speed.
+FUNCTION uint ballTie(int a, int b) {
+  return uint(min(a, b)) * 0x9e3779b1u ^ uint(max(a, b)) * 0x85ebca6bu;
+}
+
+// Returns true if the impact `a` happens before `b`, or at the same time and faster. `tieA`, `tieB`: ballTie() of the
+// pairs.
+FUNCTION bool ballSooner(BallImpact a, BallImpact b, uint tieA, uint tieB) {
+  if (b.time < 0.0f) return a.time >= 0.0f;
+  if (a.time != b.time) return a.time >= 0.0f && a.time < b.time;
+  if (a.speed != b.speed) return a.speed > b.speed;
+  return tieA < tieB;
+}
+
+// Returns the path of ball a after the impact. The pair leaves with the fraction e of its speed of approach. Friction
+// removes sliding speed, at most mu times the change along the normal (Coulomb).
+FUNCTION BallPath ballStruck(BallPath a, BallImpact hit, float perMassA, float perMassB) {
+  precise float along = (1.0f + stepData.balls.restitution) * hit.speed;
+  precise vec3 sliding = hit.relative + hit.normal * hit.speed;
+  precise float most = stepData.balls.friction * along;
+  precise float held = 1.0f - leftByFriction(sliding, most);
+  precise float perMasses = perMassA + perMassB;
+  precise float part = perMassA * exactReciprocal(perMasses);
+  precise vec3 change = (hit.normal * along - sliding * held) * part;
+  precise float remains = stepData.dt - hit.time;
+  precise vec3 end = a.end + change * remains;
+  precise vec3 velocity = a.velocity + change;
+  a.end = end;
+  a.velocity = velocity;
+  return a;
+}

@@ -1,0 +1,40 @@
+// Lets those pairs of balls collide that have chosen each other, and moves the balls out of solids. One ball per
+// invocation.
+#define BALLS
+#include "particles/kernel.glsl"
+#include "common/words.glsl"
+#include "particles/contact/bindings.glsl"
+#include "particles/contact/impact.glsl"
+INPUT_ARRAY(placesBinding, PlaceBlock, places)
+INPUT_ARRAY(beginsBinding, BeginBlock, begins)
+INPUT_ARRAY(guessesBinding, GuessBlock, guesses)
+INPUT_ARRAY(pathSpeedsBinding, SpeedBlock, speeds)
+INPUT_WORDS(choicesBinding, ChoiceBlock, choices)
+STATE_ARRAY(nextBinding, NextBlock, nextPlaces)
+STATE_ARRAY(nextSpeedsBinding, NextSpeedBlock, nextSpeeds)
+
+void main() {
+  int s = int(gl_GlobalInvocationID.x);
+  if (s >= stepData.count) return;
+  vec4 place = LOAD_INPUT(places, s);
+  vec4 speed = LOAD_INPUT(speeds, s);
+  int j = int(LOAD_INPUT_WORDS(choices, s).x);
+  if (j != s && int(LOAD_INPUT_WORDS(choices, j).x) == s) {
+    vec4 begin = LOAD_INPUT(begins, s);
+    precise float reach = begin.w + LOAD_INPUT(begins, j).w;
+    float mass = LOAD_INPUT(guesses, s).w;
+    float perMass = exactReciprocal(max(mass, 1e-30f));
+    float otherPerMass = exactReciprocal(max(LOAD_INPUT(guesses, j).w, 1e-30f));
+    BallPath here = ballPath(place, speed);
+    BallImpact hit = ballImpact(here, ballPath(LOAD_INPUT(places, j), LOAD_INPUT(speeds, j)), reach);
+    BallPath after = ballStruck(here, hit, perMass, otherPerMass);
+    ParticleMotion m = ParticleMotion(vec4(after.end, mass), vec4(after.velocity, speed.w));
+    if (SOLIDS == 1) m = outOfSolids(m, begin.xyz);
+    if (HEIGHTS == 1) m = overHeights(m);
+    if (WALLS == 1) m = besideWalls(m, begin.xyz);
+    place = vec4(m.position.xyz, place.w);
+    speed = m.velocity;
+  }
+  STORE_STATE(nextPlaces, s, place);
+  STORE_STATE(nextSpeeds, s, speed);
+}
