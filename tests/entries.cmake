@@ -1,10 +1,10 @@
-# Defines the entries of ctest. Label quick: tools/test runs the entry. Label long: only `tools/test all` runs it. CI
-# runs every entry that is not long.
+# Entries of ctest. Label quick: tools/test runs the entry. Label long: only `tools/test all` runs it. CI runs every
+# entry that is not long.
 
-# Time (s) after which ctest treats a test as hung. Tests usually take less than a tenth of it.
+# Seconds until ctest treats a test as hung; tests usually take less than a tenth of it.
 set(PATIENCE 3600)
 
-# Cases that take seconds and test nearly the same as other cases.
+# Cases that take seconds and resemble other cases.
 file(STRINGS long_cases.txt LONG_CASES)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS long_cases.txt)
 list(JOIN LONG_CASES "," LONG_CASES)
@@ -15,7 +15,7 @@ list(JOIN QUICK_CASES "," QUICK_CASES)
 function(suite_test label suite name program)
   add_test(NAME "${suite}: ${name}" COMMAND ${program} ${ARGN})
   set_tests_properties("${suite}: ${name}" PROPERTIES LABELS "${suite};${label}" TIMEOUT ${PATIENCE}
-                       # The entry fails if no test case matches, for example because a source was renamed.
+                       # the entry fails if no test case matches, for example because a source was renamed
                        FAIL_REGULAR_EXPRESSION "test cases: +0 ")
 endfunction()
 function(without_optimizing)
@@ -71,18 +71,18 @@ set_tests_properties("layers: each includes only from layers below it" "comments
                      "gallery: each picture is of today's scene" "shaders: arithmetic is precise, blocks are as in C++"
                      PROPERTIES LABELS "unit;quick")
 
-# Tests on the memory path that the driver does not use by default. They compare results bit for bit with CPU twins or
-# the expression evaluator. Tests that compare the same results with closed forms or counts run only on the default
-# path. "cli: storage_path" runs one scene of each simulation.
+# Tests on the memory path that the driver does not use by default: those that compare bit for bit with CPU twins or the
+# expression evaluator. Tests of the meaning of the same bits (closed forms, counts) run on the default path only. "cli:
+# storage_path" runs one scene of each simulation.
 set(SAME_STATE "--source-file=*/gpu/sim/*"
   "--test-case=*twin*,*evaluator*,*every cut*,*every run*,field values*,radix sort*,tallies*,the state hash*")
-# Tests of pictures that compare bytes with a twin or with another method of drawing.
+# Picture tests that compare bytes with a twin or with another way of drawing.
 set(OTHER_PICTURES "--source-file=*/gpu/draw/*" "--source-file-exclude=*/draw/exact/limits.cpp")
 # Triangles, textures and ambient occlusion are left out here, because "cli: storage_path" compares scenes that contain
 # them with their baselines byte for byte.
 suite_test("" gpu "pictures on the other memory path" test_gpu ${OTHER_PICTURES} "--test-case=*twin*,*bytes*,*bits*"
   "--test-case-exclude=*charts*,exact: on a large*,*ambient occlusion*,*drawn in bands*,exact parts*,exact: whole*,exact: t*,exact: what triangles*")
-# Tests of the driver's rasterizer, which is the reference for the exact rasterizer. CI tests only its surfaces and
+# Tests of the driver's rasterizer, which serves as reference for the exact rasterizer; in CI only its surfaces and
 # glows. "cli: exact" covers whole scenes.
 set(DRIVERS_PICTURES "--source-file=*/gpu/draw/*" "--source-file-exclude=*/draw/exact/*")
 suite_test("" gpu "the driver's surfaces and glows on the texel memory path" test_gpu "--source-file=*/gpu/draw/picture.cpp,*/gpu/draw/instances.cpp")
@@ -94,7 +94,7 @@ add_test(NAME "long: unit tests" COMMAND test_unit "--test-case=${LONG_CASES}")
 set_tests_properties("long: unit tests" PROPERTIES LABELS long)
 add_test(NAME "long: tests on a device" COMMAND test_gpu "--test-case=${LONG_CASES}")
 set_tests_properties("long: tests on a device" PROPERTIES LABELS long TIMEOUT ${PATIENCE})
-if(SIMREEL_BENCH)  # Takes minutes on two processors, for programs that users do not run.
+if(SIMREEL_BENCH)  # takes minutes on two processors for programs that users do not run
   add_test(NAME "long: benches build" COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target bench)
   set_tests_properties("long: benches build" PROPERTIES LABELS long TIMEOUT ${PATIENCE})
 endif()
@@ -107,8 +107,7 @@ set_property(TEST "long: the driver's pictures on the storage memory path" APPEN
 set_tests_properties("gpu: pictures on the other memory path" "gpu: the driver's surfaces and glows on the texel memory path"
                      PROPERTIES DEPENDS "${GPU_PICTURES}")
 
-# Tests of the program through its command line, with one ctest entry per module. They use only the standard library of
-# Python.
+# Tests of the command line from the outside: one ctest entry per module, standard library only.
 if(Python3_FOUND AND TARGET simreel)
   file(GLOB_RECURSE CLI_TESTS CONFIGURE_DEPENDS cli/test_*.py)
   set(CLI_ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>" "PYTHONPATH=${CMAKE_CURRENT_SOURCE_DIR}/cli" PYTHONDONTWRITEBYTECODE=1)
@@ -119,7 +118,7 @@ if(Python3_FOUND AND TARGET simreel)
     if(module IN_LIST QUICK_CLI)
       set_property(TEST "cli: ${module}" APPEND PROPERTY LABELS quick)
     endif()
-    # These modules draw many small pictures, so compiling shaders takes most of the time, as in gpu/draw above.
+    # many small pictures, so compiling shaders takes most of the time, as in gpu/draw above
     if(module MATCHES "^(serve|passes)")
       without_optimizing("cli: ${module}")
     endif()
@@ -137,7 +136,7 @@ endif()
 if(Python3_FOUND AND TARGET simreel)
   add_subdirectory(faults)
 endif()
-# Runs random programs in both languages of kernels, on the device and in Python, and compares the results.
+# Random programs in both languages of kernels, executed on the device and by Python.
 if(Python3_FOUND AND TARGET simreel)
   foreach(language hlsl glsl)
     add_test(NAME "kernels: random programs of ${language}"
@@ -146,8 +145,8 @@ if(Python3_FOUND AND TARGET simreel)
   endforeach()
 endif()
 
-# Tests of the report's page in Chromium and Firefox. They are skipped with a message if a browser or Selenium is not
-# installed. Debian's Python is tried first, because python3-selenium belongs to it.
+# Tests of the report's page in Chromium and Firefox; skipped with a message if a browser or Selenium is not installed.
+# Debian's own Python is tried first, because python3-selenium belongs to it.
 find_program(SYSTEM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 if(NOT SYSTEM_PYTHON AND Python3_FOUND)
   set(SYSTEM_PYTHON ${Python3_EXECUTABLE})
@@ -169,22 +168,22 @@ if(SYSTEM_PYTHON)
   endif()
 endif()
 
-# Runs sweeps and pieces on a real Slurm with three nodes on this machine. If Slurm is not installed, the test is
-# skipped with a message, except in CI.
+# Sweeps and pieces on a real Slurm with three nodes on this machine; skipped with a message if Slurm is not installed,
+# never skipped in CI.
 if(Python3_FOUND AND TARGET simreel)
   add_test(NAME "slurm: sweep and pieces" COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/slurm/test_slurm.py)
   set_tests_properties("slurm: sweep and pieces" PROPERTIES LABELS cli TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77 COST 60
                        ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>;PYTHONDONTWRITEBYTECODE=1")
 endif()
 
-# Compares contours of the program with those of scikit-image. Skipped with a message if scikit-image is not installed.
+# Compares contours of the program with those of scikit-image; skipped with a message if scikit-image is not installed.
 if(SYSTEM_PYTHON AND TARGET simreel)
   add_test(NAME "oracle: contours" COMMAND ${SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/oracle/test_contours.py)
   set_tests_properties("oracle: contours" PROPERTIES LABELS cli TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77
                        ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>;PYTHONDONTWRITEBYTECODE=1")
 endif()
 
-# Tests the Python module. If the module was not built, the test is skipped with a message, except in CI.
+# The Python module; skipped with a message if it was not built, never in CI.
 if(SYSTEM_PYTHON AND TARGET simreel)
   set(PYTHON_ENVIRONMENT "SIMREEL=$<TARGET_FILE:simreel>;PYTHONPATH=${CMAKE_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1")
   foreach(module module processes state tools)
@@ -198,19 +197,18 @@ if(SYSTEM_PYTHON AND TARGET simreel)
   set_tests_properties("long: a thousand scenes" "long: every kind from Python" PROPERTIES LABELS long TIMEOUT ${PATIENCE} SKIP_RETURN_CODE 77 ENVIRONMENT "${PYTHON_ENVIRONMENT};SIMREEL_LONG=1")
 endif()
 
-# Compares every shipped scene with its baselines. The long scenes have a separate entry.
+# Compares every shipped scene with its baselines; the long scenes have an entry of their own.
 if(TARGET simreel)
   file(GLOB SCENES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/assets/scenes/*.json)
   file(STRINGS long_scenes.txt LONG_SCENES)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS long_scenes.txt)
   list(TRANSFORM LONG_SCENES REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/assets/scenes/\\1.json")
   list(REMOVE_ITEM SCENES ${LONG_SCENES})
-  # The slowest of the long scenes. Other scenes cover the same kinds of objects and methods of drawing.
+  # The slowest of the long scenes; other scenes cover the same kinds and ways of drawing.
   set(LONGEST_SCENES drape press)
   list(TRANSFORM LONGEST_SCENES REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/assets/scenes/\\1.json")
   list(REMOVE_ITEM LONG_SCENES ${LONGEST_SCENES})
-  # One repetition is enough, because both memory paths, with many threads and with one, must reproduce the state in the
-  # baselines.
+  # One repetition is enough: both memory paths, with many threads and with one, must reproduce the baselines' state.
   list(TRANSFORM QUICK_SCENES REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/assets/scenes/\\1.json")
   list(REMOVE_ITEM SCENES ${QUICK_SCENES})
   add_test(NAME "golden: a dozen scenes" COMMAND simreel test ${QUICK_SCENES} --repeat 1 --report ${CMAKE_CURRENT_BINARY_DIR}/report)
@@ -222,20 +220,20 @@ if(TARGET simreel)
   set_tests_properties("long: longest scenes" PROPERTIES LABELS long TIMEOUT ${PATIENCE})
 endif()
 
-# A software driver with many threads in each of many processes takes up to twice the CPU time, so tests run with one
-# thread. Tests of whole scenes and of the state of all simulations keep the usual number of threads, in order to detect
-# races between workgroups.
+# A software driver with many threads in each of many processes takes up to twice the processor time, so tests run with
+# one thread. The exceptions keep the usual number of threads, in order to detect races between workgroups: whole
+# scenes, and the state of all simulations.
 get_property(TESTS DIRECTORY PROPERTY TESTS)
 list(REMOVE_ITEM TESTS "golden: a dozen scenes" "golden: shipped scenes" "long: state on the other memory path")
-# These modules also keep the usual number of threads. They interrupt a run midway, and with one thread small scenes
-# would finish too early.
+# These modules also keep their threads, because they interrupt a run midway, and with one thread small scenes would
+# finish too early.
 foreach(module bisect suite_runs checkpoint resume two_runs bake_sequence spread bench)
   list(REMOVE_ITEM TESTS "cli: ${module}")
 endforeach()
 set_property(TEST ${TESTS} APPEND PROPERTY ENVIRONMENT LP_NUM_THREADS=1)
 
-# Makes glibc use huge pages. Fewer page faults reduce the CPU time of a tiny scene's run by a fifth. Tests that limit
-# or count memory are left out.
+# glibc uses huge pages: fewer page faults cut the processor time of a tiny scene's run by a fifth. Left out for tests
+# that limit or count memory.
 get_property(TESTS DIRECTORY PROPERTY TESTS)
 list(FILTER TESTS INCLUDE REGEX "^(cli|gpu|golden|oracle): ")
 list(REMOVE_ITEM TESTS "cli: failures" "cli: bake_sequence" "cli: terminal")
@@ -251,8 +249,8 @@ if(TARGET simreel)
   set_tests_properties("golden: shipped scenes" PROPERTIES DEPENDS "golden: a dozen scenes")
 endif()
 
-# Starts the longest tests first, because otherwise one of them would run alone at the end. ctest uses these costs until
-# it has measured the tests.
+# The longest tests start first, because otherwise one would run alone at the end. ctest uses these costs until it has
+# measured its own.
 set_tests_properties("long: state on the other memory path" PROPERTIES COST 60)
 set_tests_properties(${GPU_PICTURES} PROPERTIES COST 50)
 if(TARGET simreel)
