@@ -184,6 +184,8 @@ class Placing {
       function = one.op == SpvOpFMod && hlsl_ ? "xRem" : functionFor(one.op);
       if (careful_ || hasTinyFactor(one))
         if (const char* flushing = flushingFunctionFor(one.op); flushing != nullptr) function = flushing;
+      if ((one.op == SpvOpSRem || one.op == SpvOpSMod) && isPositiveConstant(one.operands[1]))
+        function = "xSremBy";
     }
     if (function != nullptr && one.op == SpvOpVectorTimesScalar)
       arguments[1] = spread(one.type, arguments[1]);
@@ -242,7 +244,7 @@ class Placing {
   /// Bitcasts integer arguments to the signedness of the function's parameters.
   void retype(std::string_view function, Words& arguments, std::string& key) {
     const bool isUnsigned = function == "xUdiv" || function == "xUmod" || function.starts_with("xUnpack");
-    const bool isSigned = function == "xSdiv" || function == "xSrem";
+    const bool isSigned = function == "xSdiv" || function.starts_with("xSrem");
     const bool isLdexp = function == "xLdexp";
     if (!isUnsigned && !isSigned && !isLdexp) return;
     key = std::string(function) + "(";
@@ -265,7 +267,8 @@ class Placing {
     if (function == "xUdiv" || function == "xUmod" || function == "xToUint" ||
         function.starts_with("xPack"))
       return ofSign(type, false);
-    if (function == "xSdiv" || function == "xSrem" || function == "xToInt") return ofSign(type, true);
+    if (function == "xSdiv" || function.starts_with("xSrem") || function == "xToInt")
+      return ofSign(type, true);
     return type;
   }
 
@@ -285,16 +288,21 @@ class Placing {
 
   /// Returns true for an integer division by a positive constant; all drivers give the same result for it.
   bool dividesByConstant(const Instruction& one) const {
-    if (one.op != SpvOpUDiv && one.op != SpvOpUMod && one.op != SpvOpSDiv) return false;
-    const auto positive = [&](Id id) {
-      const auto value = module_.constant(id);
+    return (one.op == SpvOpUDiv || one.op == SpvOpUMod || one.op == SpvOpSDiv) &&
+           isPositiveConstant(one.operands[1]);
+  }
+
+  /// True for a constant integer or vector whose components are all positive as signed numbers.
+  bool isPositiveConstant(Id id) const {
+    const auto positive = [&](Id component) {
+      const auto value = module_.constant(component);
       return value && *value != 0 && *value < 0x80000000U;
     };
-    const Instruction* made = module_.global(one.operands[1]);
+    const Instruction* made = module_.global(id);
     if (made == nullptr) return false;
     return made->op == SpvOpConstantComposite
                ? std::all_of(made->operands.begin(), made->operands.end(), positive)
-               : positive(one.operands[1]);
+               : positive(id);
   }
 
   /// True for a product with a constant below 2^-62 in magnitude. A compiler may compute such a product

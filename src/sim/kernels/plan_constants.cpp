@@ -128,38 +128,28 @@ void KernelPlan::holdConstants() {
       unknown({constant.parts.empty() ? "constantFiles" : "constants", name}, name, known, "constant");
   std::set<std::string> used;
   for (const kernels::Kernel& kernel : shader_->kernels)
-    for (const kernels::Block& block : kernel.blocks) {
-      if (isSamplerBlock(block)) continue;
-      const std::vector<KernelSlot> slots = slotsOf(block.members);
-      for (const KernelSlot& slot : slots) {
-        const auto standard = std::find_if(standards().begin(), standards().end(), [&](const Standard& s) {
-          return slot.path == s.name && slot.offsets.size() == s.parts.size();
-        });
-        if (!constants_.contains(slot.path) && standard != standards().end()) {
-          Constant& constant = constants_[slot.path];
-          for (const char* part : standard->parts) constant.parts.push_back(compiled({0, part}, {}));
-          constant.width = static_cast<int>(constant.parts.size());
-        }
-        const auto found = constants_.find(slot.path);
-        if (found == constants_.end()) {
-          if (slot.used && used.insert(slot.path).second)
-            mistake({"constants"}, fmt::format("kernel {} reads the constant {} ({}), which has no value; "
-                                               "give \"constants\": {{\"{}\": ...}}",
-                                               scene::inQuotes(kernel.name), scene::inQuotes(slot.path),
-                                               slot.type, slot.path));
-          continue;
-        }
-        used.insert(slot.path);
-        const auto width = static_cast<std::size_t>(found->second.width);
-        if (width != slot.offsets.size() && width != 1)
-          mistake({"constants", slot.path},
-                  fmt::format("{} is a {}: expected {} number(s), found {}", scene::inQuotes(slot.path),
-                              slot.type, slot.offsets.size(), width));
-        for (const PlannedNumber& part : found->second.parts)
-          if (const std::string problem = whyTooLarge(slot, part.number);
-              part.expression == nullptr && !problem.empty())
-            mistake({"constants", slot.path}, problem);
-      }
+    for (const kernels::Block& block : kernel.blocks)
+      if (!isSamplerBlock(block)) holdBlock(kernel, block, used);
+}
+
+/// Checks the constants of a block. `used` holds the constants that kernels read.
+void KernelPlan::holdBlock(const kernels::Kernel& kernel, const kernels::Block& block,
+                           std::set<std::string>& used) {
+  if (block.bytes > mostBlockBytes)
+    return mistake({"file"}, fmt::format("the constants of kernel {} take {} bytes; a uniform block holds "
+                                         "{}: make the largest array a StructuredBuffer",
+                                         scene::inQuotes(kernel.name), block.bytes, mostBlockBytes));
+  const std::vector<KernelSlot> slots = slotsOf(block.members);
+  std::map<std::string, std::size_t> lengths;  // of arrays of structs, by path without index
+  for (const KernelSlot& slot : slots) ++lengths[ArrayPath(slot.path).path];
+  for (const KernelSlot& slot : slots) {
+    const auto standard = std::find_if(standards().begin(), standards().end(), [&](const Standard& s) {
+      return slot.path == s.name && slot.offsets.size() == s.parts.size();
+    });
+    if (!constants_.contains(slot.path) && standard != standards().end()) {
+      Constant& constant = constants_[slot.path];
+      for (const char* part : standard->parts) constant.parts.push_back(compiled({0, part}, {}));
+      constant.width = constant.parts.size();
     }
     const ArrayPath member(slot.path);
     if (constantOf(slot.path).constant == nullptr) {
@@ -199,6 +189,10 @@ void KernelPlan::holdConstant(Constant& constant, const std::string& name, const
     return mistake({"constantFiles", name},
                    fmt::format("the file has {} rows; {} is a {} of {} element(s)", constant.table->rows(),
                                scene::inQuotes(name), slot.type, elements));
+  for (const PlannedNumber& part : constant.parts)
+    if (const std::string problem = whyTooLarge(slot, part.number);
+        part.expression == nullptr && !problem.empty())
+      return mistake({key, name}, problem);
   if (constant.changes || slot.elements == 1 || elements != slot.elements ||
       (!constant.counts && constant.columns.empty()))
     return;

@@ -2,8 +2,9 @@
 // covers it, else at the first sample that shows the triangle. JOINED: shades several surfaces without textures.
 // Defines: SAMPLES; SHADOW (with SHADOW_TAPS), OCCLUSION, REFLECTED, RAYS, PALETTE, VERTEX_COLORS, DOUBLE_SIDED;
 // TEXTURED (BUMPED) or SKIN (with a LOOK_ define of draw/surface/skin_look.glsl), by uv of a GRID or a mesh, or
-// TRIPLANAR; maps (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a blended layer); GLASS (a layer of glass,
-// REFRACTED in glass.glsl); and the defines of draw/surface/lighting.glsl.
+// TRIPLANAR; EDGES (draws the edges of triangles); maps (surface_maps.glsl), EMISSION, COAT, SHEEN; BLENDED (a blended
+// layer); GLASS (a layer of glass, REFRACTED in glass.glsl); and the defines of draw/surface/lighting.glsl. BY_UV: SHOWN
+// has a value that is computed from texture coordinates.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #ifdef JOINED

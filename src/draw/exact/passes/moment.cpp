@@ -29,6 +29,7 @@ class ThingsPass final : public FramePass {
     if (f.lamps.on()) f.lamps.update(f.moment.seconds, *f.moment.drawables);
     f.drawables = f.lamps.on() ? f.lamps.withGlows(*f.moment.drawables) : *f.moment.drawables;
     sayFinishes();
+    overlaid_.apply(f.scene, f.drawables);
     if (!f.traces()) f.glass.extractFrom(f.drawables.surfaces);
     f.apart.extractFrom(f.drawables.surfaces);
     if (f.apart.anyBlended()) beginLayers();
@@ -75,7 +76,7 @@ class ViewPass final : public FramePass {
   void run() override {
     constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
     f.values = exactView(f.seen, f.scene.camera, f.size, f.point);
-    f.values.rows = {0, 0};  // no band of the view has been drawn so far
+    f.values.rows = {0, 0};  // no band of the view has been drawn yet
     if (f.rays) f.rays->seeThrough(f.number, f.views);
     if (!ShadedTiles::emptiesLight()) glClearTexImage(f.light.name(), 0, GL_RGBA, GL_FLOAT, none.data());
   }

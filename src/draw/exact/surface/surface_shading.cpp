@@ -187,7 +187,7 @@ VertexUv uvOf(const sim::Surface& surface) {
   return uv;
 }
 
-/// Returns the inputs of shaders that map a texture or skin, with `repeats` repeats along u and v.
+/// Returns the inputs of shaders that map a texture or skin with the given number of repeats.
 SurfaceSeen seenOf(const sim::Surface& surface, glm::vec2 repeats) {
   return {.uv = uvOf(surface),
           .textureScale = repeats,
@@ -259,6 +259,7 @@ void SurfaceShading::shade(const TriangleRaster& raster, const TriangleRaster::D
   const bool smooth = mirrorsScene(surface, skins);
   if (shown_ == shownReflections && !smooth) return;
   const SkinTextures::Entry* skin = material.skin ? skins.find(*material.skin) : nullptr;
+  const bool byUv = shown_ == shownUv || shown_ == shownOverlay(scene::Overlay::uv);
   ShadeSurface given = inputsOf(raster, drawn, light);
   if (owner_) {
     given.owner = owner_(material);
