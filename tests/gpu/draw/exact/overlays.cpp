@@ -77,10 +77,6 @@ double apart(const glm::ivec3& found, const glm::dvec3& expected) {
   return most;
 }
 
-}  // namespace overlay_tests
-
-using namespace overlay_tests;  // NOLINT
-
 TEST_CASE("the overlay of normals shows 0.5 + 0.5 n of the layer of normals, and only that") {
   const Drawn overlay = pictureOf(sceneOf(ball, R"(, "overlay": "normals", "exposure": 3, "vignette": 1)"));
   const draw::PictureLayers layers =
@@ -195,3 +191,5 @@ TEST_CASE("panels refuse names of objects that do not exist, and layers") {
   draw::Renderer renderer(scene, scene.render.size, 1);
   CHECK_THROWS(renderer.keepLayers({{draw::Layer::depth}, false, 32}));
 }
+
+}  // namespace overlay_tests
