@@ -22,11 +22,11 @@ void storeArrow(int i, vec3 place, vec3 v, vec3 motion, bool drawn) {
   float speed = exactSqrt(squared);
   precise float reach = speed * scale;
   float long_ = min(reach, longest);
-  precise float least = 0.02 * longest;
+  precise float minimum = 0.02 * longest;
   precise vec3 direction = v * exactInverseSqrt(max(squared, 1e-30));
   precise vec3 middle = place + direction * (ahead * long_);
   precise float fraction = (speed - low) * perRange;
-  bool seen = drawn && long_ >= least && isNumber(speed);
+  bool seen = drawn && long_ >= minimum && isNumber(speed);
   STORE_STATE(places, i, vec4(seen ? middle : place, seen ? long_ : 0.0));
   STORE_STATE(speeds, i, vec4(motion, seen ? clamp(fraction, 0.0, 1.0) : -1.0));
   STORE_STATE(turns, i, vec4(seen ? direction : vec3(0.0, 0.0, 1.0), 0.0));

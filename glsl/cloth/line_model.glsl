@@ -1,6 +1,6 @@
 // Solves all constraints along a line of particles together. Compiles as GLSL and as C++. The including file provides
 // common/exact.glsl and these variables: lineLinks (number of links between particles), lineRest (rest length in
-// metres), lineCompliance (compliance / h^2), lineGive (minimum compliance, see giveOf), lineKept (fraction of a link's
+// metres), lineCompliance (compliance / h^2), lineGive (minimum compliance, see edgeComplianceOf), lineKept (fraction of a link's
 // stretch that damping preserves over the substep, see keptStretch in cloth/model.glsl).
 //
 // The XPBD constraint k links the particles k and k + 1. It has the direction n_k, the stretch C_k and the multiplier
@@ -47,9 +47,9 @@ FUNCTION Link linkBetween(vec4 a, vec4 b, bool there) {
 // the line's length by a fraction s of the length, the system has no solution. The ratio 1.7 s then makes the line pull
 // evenly by 0.29 m L / h^2 (particle mass m, rest length L), which keeps sideways swings stable (w dt = 1.63,
 // cloth/motion.glsl). Lines without two pins use 0.6 s and pull by at most 5/6 m L / h^2; they contract faster, and the
-// pull does not last. A link whose compliance is larger keeps that compliance. Lines that conserve energy use keptGive
+// pull does not last. A link whose compliance is larger keeps that compliance. Lines that conserve energy use minCompliance
 // (cloth/segment.glsl) instead.
-FUNCTION float giveOf(float stretch, bool pinned) {
+FUNCTION float edgeComplianceOf(float stretch, bool pinned) {
   float part = pinned ? 1.7f : 0.6f;
   precise float rest = float(lineLinks) * lineRest;
   precise float give = stretch * exactReciprocal(rest) * part;

@@ -54,7 +54,7 @@ bool isInside(ivec2 within) {
 }
 
 // Returns true if the workgroup writes this position: it is in the sheet, and in the tile without its halo.
-bool isOwn(ivec2 within) {
+bool isSuppliedByStage(ivec2 within) {
   ivec2 end = ivec2(relaxTileX, relaxTileY) - halo;
   return within.x >= halo && within.y >= halo && within.x < end.x && within.y < end.y && isInside(within);
 }
@@ -123,8 +123,8 @@ void leave() {
   if (there) a = tile[place(from)];
   if (beyond) b = tile[place(to)];
   if (there && beyond) relax(a, b, from, to);
-  if (isOwn(from)) STORE_STATE(nextPositions, indexOf(from), a);
-  if (isOwn(to)) STORE_STATE(nextPositions, indexOf(to), b);
+  if (isSuppliedByStage(from)) STORE_STATE(nextPositions, indexOf(from), a);
+  if (isSuppliedByStage(to)) STORE_STATE(nextPositions, indexOf(to), b);
 }
 #else
 // All loads are issued first, so that they overlap.
@@ -139,8 +139,8 @@ void fill() {
   Motion n = advance(corner + b, there, otherVelocity, otherTrend.xyz, false, AIR == 1, FABRIC == 1, false, false, false);
   tile[place(within)] = vec4(m.position, here.w);
   tile[place(other)] = vec4(n.position, there.w);
-  if (isOwn(within)) STORE_STATE(aims, i, vec4(m.velocity, velocity.w));
-  if (isOwn(other)) STORE_STATE(aims, j, vec4(n.velocity, otherVelocity.w));
+  if (isSuppliedByStage(within)) STORE_STATE(aims, i, vec4(m.velocity, velocity.w));
+  if (isSuppliedByStage(other)) STORE_STATE(aims, j, vec4(n.velocity, otherVelocity.w));
   barrier();
   relaxInTile(firstPair(0), first);
 }
@@ -149,8 +149,8 @@ void leave() {
   relaxInTile(secondPair(1), second);
   barrier();
   ivec2 within = ivec2(gl_LocalInvocationID.xy), other = within + ivec2(half_, 0);
-  if (isOwn(within)) STORE_STATE(nextPositions, indexOf(within), tile[place(within)]);
-  if (isOwn(other)) STORE_STATE(nextPositions, indexOf(other), tile[place(other)]);
+  if (isSuppliedByStage(within)) STORE_STATE(nextPositions, indexOf(within), tile[place(within)]);
+  if (isSuppliedByStage(other)) STORE_STATE(nextPositions, indexOf(other), tile[place(other)]);
 }
 #endif
 

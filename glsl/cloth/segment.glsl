@@ -58,20 +58,20 @@ FUNCTION float pinsOf(int first, int links) {
   return float(pins);
 }
 
-// Replaces giveOf() for lines that conserve energy. It depends only on quantities that a substep does not change, so
+// Replaces edgeComplianceOf() for lines that conserve energy. It depends only on quantities that a substep does not change, so
 // that the forces have a potential. A straight line between pins has one undetermined multiplier, and a swing through
 // the straight position would be stopped abruptly. Therefore, each link yields at least dt^2 / (4 m) metres per newton,
 // where m is the particle mass. If the pins of a line are further apart than its length by a fraction s, it pulls by m
 // L / (6 softening dt^2), with w dt = 0.82 / sqrt(softening).
-FUNCTION float keptGive(float pins) {
+FUNCTION float minCompliance(float pins) {
   vec4 a = lineParticle(0), b = lineParticle(lineLinks);
   Link ends = linkBetween(a, b, true);
   precise float rest = float(lineLinks) * lineRest;
   precise float beyond = ends.stretch + lineRest - rest;
   precise float held = beyond * exactReciprocal(rest) * 3.0f;
-  precise float least = exactReciprocal(lineSoftening) * 0.125f;
+  precise float minimum = exactReciprocal(lineSoftening) * 0.125f;
   bool ended = a.w == 0.0f && b.w == 0.0f;
-  return pins < 2.0f ? 3.0517578125e-5f : ended ? max(held, least) : least;
+  return pins < 2.0f ? 3.0517578125e-5f : ended ? max(held, minimum) : minimum;
 }
 
 // Returns the row of link i of the segment.
@@ -119,13 +119,13 @@ FUNCTION void solveSegment(int links, float leftOne, float lastOne) {
 }
 
 // Returns the pull of the link from a to b. The caller subtracts it, times the inverse mass, from the position of a,
-// and adds it to the position of b. The magnitude is limited to the stable value (see giveOf()), in case the ends of a
+// and adds it to the position of b. The magnitude is limited to the stable value (see edgeComplianceOf()), in case the ends of a
 // part of a line are pinned too far apart or the substeps are too long.
 FUNCTION vec3 pullBetween(vec4 a, vec4 b, bool there, float multiplier) {
   Link link = linkBetween(a, b, there);
   precise float weight = a.w + b.w;
-  precise float most = lineRest * 1.95f * exactReciprocal(max(weight, 1e-20f));
-  float held = clamp(multiplier, -most, most);
+  precise float maximum = lineRest * 1.95f * exactReciprocal(max(weight, 1e-20f));
+  float held = clamp(multiplier, -maximum, maximum);
   precise vec3 pull = link.along * held;
   return pull;
 }
@@ -140,8 +140,8 @@ FUNCTION vec3 keptPull(int k, float multiplierBefore, float multiplier, float mu
   precise vec3 turnBefore = before.along - here.along * exactDot(before.along, here.along);
   precise vec3 turnAfter = after.along - here.along * exactDot(after.along, here.along);
   precise float whole = here.stretch + lineRest;
-  precise float least = lineRest * 0.125f;
-  float length_ = max(whole, least);
+  precise float minimum = lineRest * 0.125f;
+  float length_ = max(whole, minimum);
   precise float share = multiplier * lineSoftening * exactReciprocal(length_);
   precise float weightBefore = multiplierBefore * a.w;
   precise float weightAfter = multiplierAfter * b.w;

@@ -161,9 +161,9 @@ void main() {
     for (int s = 0; s < segments; ++s) sum = sum + separators[s * LINES + slot].x;
     bool pinned = lineParticle(0).w == 0.0f && lineParticle(lineLinks).w == 0.0f;
 #if KEEPS
-    firstFixed[slot] = keptGive(sum);
+    firstFixed[slot] = minCompliance(sum);
 #else
-    firstFixed[slot] = giveOf(sum, pinned);
+    firstFixed[slot] = edgeComplianceOf(sum, pinned);
 #endif
   }
   barrier();

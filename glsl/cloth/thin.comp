@@ -16,21 +16,21 @@ void main() {
   if (at.x >= size.x || at.y >= size.y) return;
   int i = at.y * size.x + at.x;
   Corner here = loadCorner(i);
-  Fended sum = notFended();
+  ThinPush sum = notPushed();
   int last = stepData.colliderCount + stepData.thinCount;
   for (int c = stepData.colliderCount; c < last; ++c) {
     if (here.inverseMass == 0.0f || !mayMeet(c, here)) continue;
-    Fended most = notFended();
+    ThinPush maximum = notPushed();
     for (int k = 0; k < 6; ++k) {
       ivec2 first = around(at, k), second = around(at, k == 5 ? 0 : k + 1);
       bool hasFirst = first.x >= 0 && first.y >= 0 && first.x < size.x && first.y < size.y;
       bool hasSecond = second.x >= 0 && second.y >= 0 && second.x < size.x && second.y < size.y;
       if (!hasFirst) continue;
       Corner one = loadCorner(first.y * size.x + first.x);
-      most = fendedByEdge(most, c, here, one);
-      if (hasSecond) most = fendedByFace(most, c, here, one, loadCorner(second.y * size.x + second.x));
+      maximum = pushedByEdge(maximum, c, here, one);
+      if (hasSecond) maximum = pushedByFace(maximum, c, here, one, loadCorner(second.y * size.x + second.x));
     }
-    sum = together(sum, most);
+    sum = together(sum, maximum);
   }
   leaveShift(i, sum);
 }

@@ -18,7 +18,7 @@ struct Corner {
   float inverseMass;
 };
 
-struct Fended {
+struct ThinPush {
   vec3 shift;    // Displacement in metres
   vec3 change;   // Change of the velocity in m/s
   float squared; // Squared length of `shift`
@@ -39,8 +39,8 @@ FUNCTION vec3 sharedBy(vec3 shares, vec3 a, vec3 b, vec3 c) {
 }
 
 // Tests collider i, at the parameter t along its axis, against the cloth point with the weights `shares` of the corners
-// a, b and c. Returns the larger of `most` and the resulting displacement of corner a.
-FUNCTION Fended fendedAt(Fended most, int i, float t, vec3 shares, Corner a, Corner b, Corner c) {
+// a, b and c. Returns the larger of `maximum` and the resulting displacement of corner a.
+FUNCTION ThinPush pushedAt(ThinPush maximum, int i, float t, vec3 shares, Corner a, Corner b, Corner c) {
   vec3 velocityA = vec3(stepData.colliders[i].velocityA);
   vec3 velocityB = vec3(stepData.colliders[i].velocityB);
   precise vec3 surface = velocityA + (velocityB - velocityA) * t;
@@ -53,8 +53,8 @@ FUNCTION Fended fendedAt(Fended most, int i, float t, vec3 shares, Corner a, Cor
   precise vec3 offset = before - wasThere;
   float squared = exactDot(offset, offset);
   precise vec3 normal = offset * exactInverseSqrt(max(squared, 1e-12f));
-  precise vec3 apart = m.position - there;
-  precise float depth = stepData.colliders[i].reach + stepData.constants.margin - exactDot(apart, normal);
+  precise vec3 separation = m.position - there;
+  precise float depth = stepData.colliders[i].reach + stepData.constants.margin - exactDot(separation, normal);
   Touch touch;
   touch.depth = squared > 1e-12f ? depth : 0.0f;
   touch.normal = normal;
@@ -69,35 +69,35 @@ FUNCTION Fended fendedAt(Fended most, int i, float t, vec3 shares, Corner a, Cor
   precise vec3 shift = (out_.position - m.position) * part;
   precise vec3 change = (out_.velocity - m.velocity) * part;
   float size = exactDot(shift, shift);
-  if (touch.depth > 0.0f && size > most.squared) {
-    most.shift = shift;
-    most.change = change;
-    most.squared = size;
+  if (touch.depth > 0.0f && size > maximum.squared) {
+    maximum.shift = shift;
+    maximum.change = change;
+    maximum.squared = size;
   }
-  return most;
+  return maximum;
 }
 
-FUNCTION Fended fendedByEdge(Fended most, int i, Corner a, Corner b) {
+FUNCTION ThinPush pushedByEdge(ThinPush maximum, int i, Corner a, Corner b) {
   precise vec3 start = vec3(stepData.colliders[i].a) - vec3(stepData.colliders[i].velocityA) * stepData.dt;
   precise vec3 end = vec3(stepData.colliders[i].b) - vec3(stepData.colliders[i].velocityB) * stepData.dt;
   Crossing crossing = crossingOf(a.before, b.before, start, end, stepData.colliders[i].perLengthSquared);
   precise float rest = 1.0f - crossing.onFirst;
-  return fendedAt(most, i, crossing.onSecond, vec3(rest, crossing.onFirst, 0.0f), a, b, b);
+  return pushedAt(maximum, i, crossing.onSecond, vec3(rest, crossing.onFirst, 0.0f), a, b, b);
 }
 
 // Tests a face against both ends of a capsule, or against the centre of a sphere.
-FUNCTION Fended fendedByFace(Fended most, int i, Corner a, Corner b, Corner c) {
+FUNCTION ThinPush pushedByFace(ThinPush maximum, int i, Corner a, Corner b, Corner c) {
   precise vec3 start = vec3(stepData.colliders[i].a) - vec3(stepData.colliders[i].velocityA) * stepData.dt;
   precise vec3 end = vec3(stepData.colliders[i].b) - vec3(stepData.colliders[i].velocityB) * stepData.dt;
   Closest first = closestOf(start, a.before, b.before, c.before);
   precise float restOfFirst = 1.0f - first.v - first.w;
-  most = fendedAt(most, i, 0.0f, vec3(restOfFirst, first.v, first.w), a, b, c);
+  maximum = pushedAt(maximum, i, 0.0f, vec3(restOfFirst, first.v, first.w), a, b, c);
   if (stepData.colliders[i].perLengthSquared > 0.0f) {
     Closest last = closestOf(end, a.before, b.before, c.before);
     precise float restOfLast = 1.0f - last.v - last.w;
-    most = fendedAt(most, i, 1.0f, vec3(restOfLast, last.v, last.w), a, b, c);
+    maximum = pushedAt(maximum, i, 1.0f, vec3(restOfLast, last.v, last.w), a, b, c);
   }
-  return most;
+  return maximum;
 }
 
 // Returns true if collider i may touch the faces around the vertex. They are tested up to the distance of the
@@ -107,26 +107,26 @@ FUNCTION bool mayMeet(int i, Corner a) {
   precise vec3 axis = vec3(stepData.colliders[i].b) - from;
   precise vec3 fromA = a.now - from;
   precise float along = exactDot(fromA, axis) * stepData.colliders[i].perLengthSquared;
-  precise vec3 apart = fromA - axis * clamp(along, 0.0f, 1.0f);
+  precise vec3 separation = fromA - axis * clamp(along, 0.0f, 1.0f);
   precise vec3 way = a.now - a.before;
   float waySquared = exactDot(way, way);
   vec3 velocityA = vec3(stepData.colliders[i].velocityA), velocityB = vec3(stepData.colliders[i].velocityB);
   float fastest = max(exactDot(velocityA, velocityA), exactDot(velocityB, velocityB));
   precise float reach = stepData.colliders[i].reach + stepData.constants.margin + stepData.thinRoom +
                         exactSqrt(waySquared) * 2.0f + exactSqrt(fastest) * stepData.dt;
-  precise float most = reach * reach;
-  return exactDot(apart, apart) < most;
+  precise float maximum = reach * reach;
+  return exactDot(separation, separation) < maximum;
 }
 
-FUNCTION Fended notFended() {
-  Fended none;
+FUNCTION ThinPush notPushed() {
+  ThinPush none;
   none.shift = vec3(0.0f);
   none.change = vec3(0.0f);
   none.squared = 0.0f;
   return none;
 }
 
-FUNCTION Fended together(Fended sum, Fended more) {
+FUNCTION ThinPush together(ThinPush sum, ThinPush more) {
   precise vec3 shift = sum.shift + more.shift;
   precise vec3 change = sum.change + more.change;
   sum.shift = shift;

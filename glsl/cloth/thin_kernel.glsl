@@ -12,7 +12,7 @@ Corner loadCorner(int i) {
   return cornerOf(LOAD_INPUT(positions, i), LOAD_INPUT(nextPositions, i), LOAD_INPUT(velocities, i));
 }
 
-void leaveShift(int i, Fended sum) {
+void leaveShift(int i, ThinPush sum) {
   STORE_STATE(shifts, 2 * i, vec4(sum.shift, 0.0f));
   STORE_STATE(shifts, 2 * i + 1, vec4(sum.change, 0.0f));
 }

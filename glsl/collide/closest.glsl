@@ -65,9 +65,9 @@ FUNCTION Crossing crossingOf(vec3 a, vec3 b, vec3 c, vec3 d, float perSquared) {
   float ff = exactDot(first, first), fs = exactDot(first, second), ss = exactDot(second, second);
   float fb = exactDot(first, between), sb = exactDot(second, between);
   precise float whole = ff * ss - fs * fs;
-  precise float least = ff * ss * 1e-6f;
+  precise float minimum = ff * ss * 1e-6f;
   precise float share = (fs * sb - fb * ss) * exactReciprocal(max(whole, 1e-30f));
-  float s = whole > least ? clamp(share, 0.0f, 1.0f) : 0.5f;
+  float s = whole > minimum ? clamp(share, 0.0f, 1.0f) : 0.5f;
   precise float along = (fs * s + sb) * perSquared;
   float t = clamp(along, 0.0f, 1.0f);
   precise float back = (fs * t - fb) * exactReciprocal(max(ff, 1e-30f));

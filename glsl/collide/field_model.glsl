@@ -33,8 +33,8 @@ FUNCTION FieldPoint fieldAt(int k, vec3 q) {
   vec3 beside = abs(over);
   FieldPoint p;
   p.there = g.x >= 0.0f && g.y >= 0.0f && g.z >= 0.0f && g.x <= last.x && g.y <= last.y && g.z <= last.z;
-  precise float most = max(max(beside.x, beside.y), beside.z) * meshData.meshes[k].cell;
-  p.distance_ = most;
+  precise float maximum = max(max(beside.x, beside.y), beside.z) * meshData.meshes[k].cell;
+  p.distance_ = maximum;
   p.slope = vec3(0.0f);
   if (p.there) {
     int x = min(int(floor(within.x)), cells.x - 1);

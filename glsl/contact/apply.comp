@@ -14,7 +14,7 @@ void main() {
   if (sum.w == 0 || weight == 0.0f) return;
   vec4 next = pointAt(nextSection, v), wanted = pointAt(wantedSection, v);
   vec4 high = pointAt(highSection, v);
-  precise float most = 0.5f * next.w + roamOf(now.xyz, next.xyz, stirOf(), high.w);
-  vec3 pushed = pushedTo(next.xyz, wanted.xyz, weight, sum.xyz, most, pointAt(lowSection, v).xyz, high.xyz);
+  precise float maximum = 0.5f * next.w + extraMoveLimit(now.xyz, next.xyz, longestPath(), high.w);
+  vec3 pushed = pushedTo(next.xyz, wanted.xyz, weight, sum.xyz, maximum, pointAt(lowSection, v).xyz, high.xyz);
   keepPoint(wantedSection, v, vec4(pushed, wanted.w));
 }

@@ -8,11 +8,11 @@ uvec4 groupsFor(int items, bool anew) {
 }
 
 void main() {
-  float stir = uintBitsToFloat(control.fastest);
-  bool anew = contactStep.forced == 1 || control.stale == 1u || stir > uintBitsToFloat(control.searched);
-  control.stir = control.fastest;
+  float maxPath = uintBitsToFloat(control.fastest);
+  bool anew = contactStep.forced == 1 || control.stale == 1u || maxPath > uintBitsToFloat(control.searched);
+  control.maxPath = control.fastest;
   control.fastest = 0u;
-  if (anew) control.searched = floatBitsToUint(foreseen(stir));
+  if (anew) control.searched = floatBitsToUint(searchAllowance(maxPath));
   control.stale = 0u;
   control.stopped = 0u;
   control.nearCount = 0u;

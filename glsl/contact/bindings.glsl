@@ -18,7 +18,7 @@ const int skinSection = 5;      // x half the thickness, or a ball's radius; y f
 const int startSection = 6;
 const int pointSections = 7;
 const int talliesBinding = 4;   // Sections of the array of tallies. Each section holds one ivec4 per vertex.
-const int impulseSection = 0;   // xyz sum of impulses; w sum of claims (see claimOf() in model.glsl)
+const int impulseSection = 0;   // xyz sum of impulses; w sum of claims (see massWeightOf() in model.glsl)
 // Allowed fraction of the vertex's path, as float bits: xyz in hold rounds 0 to 2, w if all separating planes stand
 // still
 const int letSection = 1;
@@ -27,7 +27,7 @@ const int letSection = 1;
 const int upSection = 2;
 const int downSection = 3;      // xyz displacement by solids along the negative axes, as float bits
 const int tallySections = 4;
-const int toldBinding = 2;      // The array of tallies as a texel buffer
+const int tallyTexelsBinding = 2;      // The array of tallies as a texel buffer
 const int controlBinding = 5;   // Counts and arguments of indirect dispatches
 const int boxesBinding = 1;     // Boxes of a tree: two vec4 per node
 const int leavesBinding = 2;    // uvec4 per leaf: corners of a face, or ends of an edge; w is 1 if the leaf is empty

@@ -22,5 +22,5 @@ void main() {
   STORE_STATE(nears, 3 * i + 2, vec4(way, touching ? 1.0f : 0.0f));
   if (!touching) return;
   for (int k = 0; k < 4; ++k)
-    if (!isSolid(c[k])) atomicAdd(tallies[impulseTally(c[k])].w, claimOf(near.shares[k]));
+    if (!isSolid(c[k])) atomicAdd(tallies[impulseTally(c[k])].w, massWeightOf(near.shares[k]));
 }

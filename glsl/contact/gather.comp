@@ -18,19 +18,19 @@ void main() {
   float weight = solid ? 0.0f : ball ? ballWeight(now.w, next.w) : now.w;
   bool gone = ball && weight == 0.0f;
   vec4 high = pointAt(highSection, v);
-  bool within = isGood(next.xyz, pointAt(lowSection, v).xyz, high.xyz, stirOf(), high.w);
+  bool within = pairsComplete(next.xyz, pointAt(lowSection, v).xyz, high.xyz, longestPath(), high.w);
   if (!within && !gone) control.stale = 1u;
   keepPoint(nowSection, v, vec4(now.xyz, weight));
   keepPoint(nextSection, v, vec4(next.xyz, skin.x));
   keepPoint(wantedSection, v, next);
   tallies[impulseSection * contactStep.vertices + v] = ivec4(0);
   tallies[letSection * contactStep.vertices + v] = ivec4(floatBitsToInt(1.0f));
-  if (!hasStir()) return;
+  if (!hasPath()) return;
   tallies[upSection * contactStep.vertices + v] = ivec4(0, 0, 0, floatBitsToInt(1e30f));
   tallies[downSection * contactStep.vertices + v] = ivec4(0);
   if (gone || !(solid || ball)) return;
   float way = lengthOf(now.xyz, next.xyz);
-  if (ball) way = ballStir(way, skin.z);
+  if (ball) way = ballMotion(way, skin.z);
   // The bits of non-negative floats compare like the floats.
   if (way > 0.0f) atomicMax(control.fastest, floatBitsToUint(way));
 }

@@ -12,7 +12,7 @@ void main() {
   ivec4 c = cornersOf(near);
   vec4 let = vec4(1.0f);
   for (int k = 0; k < 4 && round > 0; ++k) {
-    ivec4 lets = LOAD_TALLY(letTally(c[k]));
+    ivec4 lets = LOAD_TALLY(pathFractionTally(c[k]));
     let[k] = intBitsToFloat(min(lets.x, round > 1 ? lets.y : lets.x));
     if (round > 2) let[k] = min(let[k], intBitsToFloat(lets.z));
   }
@@ -33,10 +33,10 @@ void main() {
   for (int k = 0; k < 4; ++k) {
     int bits = floatBitsToInt(own[k]);  // The bits of non-negative floats compare like the floats.
     if (own[k] == 1.0f) continue;
-    if (round == 0) atomicMin(tallies[letTally(c[k])].w, bits);
+    if (round == 0) atomicMin(tallies[pathFractionTally(c[k])].w, bits);
     if (!through) continue;
-    if (round == 0) atomicMin(tallies[letTally(c[k])].x, bits);
-    if (round == 1) atomicMin(tallies[letTally(c[k])].y, bits);
-    if (round == 2) atomicMin(tallies[letTally(c[k])].z, bits);
+    if (round == 0) atomicMin(tallies[pathFractionTally(c[k])].x, bits);
+    if (round == 1) atomicMin(tallies[pathFractionTally(c[k])].y, bits);
+    if (round == 2) atomicMin(tallies[pathFractionTally(c[k])].z, bits);
   }
 }

@@ -13,13 +13,13 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
   uint nearCount;
   uint stale;          // 1 if a vertex has left its box, so that pairs must be found again
   uint stopped;        // 1 if all vertices must use the limits for planes that stand still
-  uint mostPairs;      // Maximum number of pairs of one kind since the start
+  uint pairLimit;      // Maximum number of pairs of one kind since the start
   uint candidateCounts[2];
   // Maximum path length of all ball and solid vertices in this substep, in metres as float bits; gather.comp
   // accumulates it
   uint fastest;
-  uint stir;           // Final value of `fastest` for this substep
-  uint searched;       // Value of `stir` that the latest pair search allowed for
+  uint maxPath;           // Final value of `fastest` for this substep
+  uint searched;       // Value of `maxPath` that the latest pair search allowed for
   uint spare;
   uvec4 dispatches[levelDispatch + maxLevels];
 } control;
@@ -51,8 +51,8 @@ int nearestTally(int ball) {
 // Returns true if solids carry no vertex, so that the path of every vertex starts at its position at the substep's
 // start.
 bool nothingCarried() {
-  return !hasSolids() || control.stir == 0u;
+  return !hasSolids() || control.maxPath == 0u;
 }
-float stirOf() {
-  return uintBitsToFloat(control.stir);
+float longestPath() {
+  return uintBitsToFloat(control.maxPath);
 }

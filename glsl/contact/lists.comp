@@ -4,7 +4,7 @@
 layout(local_size_x = 1) in;
 
 uvec4 groupsOf(uint count) {
-  control.mostPairs = max(control.mostPairs, count);
+  control.pairLimit = max(control.pairLimit, count);
   return uvec4((min(count, uint(contactStep.maxPairs)) + 63u) / 64u, 1u, 1u, 0u);
 }
 
@@ -14,7 +14,7 @@ void main() {
     control.dispatches[vertexCandidateDispatch + kind] = groupsOf(control.candidateCounts[kind]);
 #elif defined NEAR
   control.dispatches[nearDispatch] = groupsOf(control.nearCount);
-  bool moved = control.stir != 0u;
+  bool moved = control.maxPath != 0u;
   control.dispatches[carryDispatch] = moved ? groupsOf(control.nearCount) : uvec4(0u, 1u, 1u, 0u);
   control.dispatches[startDispatch] = moved ? uvec4(uint(contactStep.vertices + 63) / 64u, 1u, 1u, 0u) : uvec4(0u, 1u, 1u, 0u);
 #else

@@ -26,7 +26,7 @@ FUNCTION bool isBall(int vertex) {
 #endif
 }
 // Returns true if the scene has balls or solids, which can move cloth by more than a thickness per substep.
-FUNCTION bool hasStir() {
+FUNCTION bool hasPath() {
 #if defined NO_SOLIDS && defined NO_BALLS
   return false;
 #else
@@ -38,11 +38,11 @@ FUNCTION bool hasStir() {
 FUNCTION float ballWeight(float mass, float nextMass) {
   return mass > 0.0f && nextMass > 0.0f ? exactReciprocal(mass) : 0.0f;
 }
-// Returns a ball's contribution to `stir`: the length of its path, plus the length of the path that a bounce gives to
+// Returns a ball's contribution to `maxPath`: the length of its path, plus the length of the path that a bounce gives to
 // cloth. The factor 1.5 covers a face corner, which can move up to 1.4 times as far as a point in the face.
-FUNCTION float ballStir(float way, float bounce) {
-  precise float stir = way * 1.5f * (1.0f + bounce);
-  return stir;
+FUNCTION float ballMotion(float way, float bounce) {
+  precise float maxPath = way * 1.5f * (1.0f + bounce);
+  return maxPath;
 }
 // Returns the distance to keep between the feature of the first corner and the feature of the last corner: the sum of
 // half their thicknesses. Between a cloth and a solid it is the cloth's full thickness.
@@ -91,13 +91,13 @@ FUNCTION bool hasSolids() {
 // by the thickness. If the vertex has a pair with a solid or ball (`beside` is 1), the distance is the path of the
 // fastest solid or ball plus the vertex's path, because the predicted position of a taut cloth can lie deep in a solid.
 // Otherwise, it is 0.
-FUNCTION float roamOf(vec3 now, vec3 next, float stir, float beside) {
-  precise float roam = stir + lengthOf(now, next);
-  return beside == 1.0f ? roam : 0.0f;
+FUNCTION float extraMoveLimit(vec3 now, vec3 next, float maxPath, float beside) {
+  precise float extraMove = maxPath + lengthOf(now, next);
+  return beside == 1.0f ? extraMove : 0.0f;
 }
-// Returns the value of `stir` (metres) that a pair search allows for: the current value plus 1/8.
-FUNCTION float foreseen(float stir) {
-  precise float more = 1.125f * stir;
+// Returns the value of `maxPath` (metres) that a pair search allows for: the current value plus 1/8.
+FUNCTION float searchAllowance(float maxPath) {
+  precise float more = 1.125f * maxPath;
   return more;
 }
 FUNCTION Hull widened(Hull a, float by) {
@@ -112,24 +112,24 @@ FUNCTION bool isWithin(vec3 p, vec3 low, vec3 high) {
   return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
 }
 // Returns true if the found pairs are still complete for a vertex. If the vertex has a pair with a ball, its box must
-// also leave a margin of `stir` of the previous substep. Otherwise, the box would limit the push on the vertex, and the
+// also leave a margin of `maxPath` of the previous substep. Otherwise, the box would limit the push on the vertex, and the
 // ball would meet too little resistance.
-FUNCTION bool isGood(vec3 next, vec3 low, vec3 high, float stir, float beside) {
+FUNCTION bool pairsComplete(vec3 next, vec3 low, vec3 high, float maxPath, float beside) {
 #ifdef NO_BALLS
   return isWithin(next, low, high);
 #else
-  float room = beside == 1.0f && contactStep.balls < contactStep.movable ? stir : 0.0f;
-  precise vec3 least = next - room;
-  precise vec3 most = next + room;
-  return isWithin(least, low, high) && isWithin(most, low, high);
+  float room = beside == 1.0f && contactStep.balls < contactStep.movable ? maxPath : 0.0f;
+  precise vec3 minimum = next - room;
+  precise vec3 maximum = next + room;
+  return isWithin(minimum, low, high) && isWithin(maximum, low, high);
 #endif
 }
 // Returns the maximum distance that a vertex can move from its current position within its box.
 FUNCTION float radiusOf(vec3 now, vec3 low, vec3 high) {
   precise vec3 down = now - low;
   precise vec3 up = high - now;
-  vec3 most = max(down, up);
-  float squared = exactDot(most, most);
+  vec3 maximum = max(down, up);
+  float squared = exactDot(maximum, maximum);
   precise float radius = squared * exactInverseSqrt(max(squared, 1e-24f));
   return radius;
 }
@@ -144,8 +144,8 @@ FUNCTION bool overlap(vec3 low, vec3 high, vec3 otherLow, vec3 otherHigh) {
 // radius.
 FUNCTION bool mayMeet(Near near, vec4 radii, float thick) {
   float two = max(radii.z, radii.w);
-  precise float most = isOfEdges(near) ? max(radii.x, radii.y) + two + thick : radii.x + max(radii.y, two) + thick;
-  return near.normal.w <= most;
+  precise float maximum = isOfEdges(near) ? max(radii.x, radii.y) + two + thick : radii.x + max(radii.y, two) + thick;
+  return near.normal.w <= maximum;
 }
 
 // Returns the heights of the four corners: their coordinates along the normal.
@@ -182,20 +182,20 @@ FUNCTION float worstGap(Near near, vec4 heights, vec4 rises) {
 }
 
 // Returns true if the pair must be processed in this substep. Impulses move each side by at most 1/4 of the thickness,
-// and colliders that push a side back afterwards leave it within 5/8 of the thickness. `roams` holds roamOf() of the
+// and colliders that push a side back afterwards leave it within 5/8 of the thickness. `extraMoves` holds extraMoveLimit() of the
 // corners.
-FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick, vec4 roams) {
-  float roam = max(max(roams.x, roams.y), max(roams.z, roams.w));
-  precise float most = 1.5f * thick + 2.0f * roam;
-  return near.normal.w > 0.0f && worstGap(near, heights, rises) < most;
+FUNCTION bool isNear(Near near, vec4 heights, vec4 rises, float thick, vec4 extraMoves) {
+  float extraMove = max(max(extraMoves.x, extraMoves.y), max(extraMoves.z, extraMoves.w));
+  precise float maximum = 1.5f * thick + 2.0f * extraMove;
+  return near.normal.w > 0.0f && worstGap(near, heights, rises) < maximum;
 }
 
 // Returns the minimum gap that must remain after a substep: gap / 5, but at least thickness / 20. A gap below thickness
 // / 20 must not shrink at all, because at smaller distances the normal would consist of rounding errors.
 FUNCTION float leftOf(float gap, float thick) {
   precise float fifth = 0.2f * gap;
-  precise float least = 0.05f * thick;
-  return gap > least ? max(fifth, least) : gap;
+  precise float minimum = 0.05f * thick;
+  return gap > minimum ? max(fifth, minimum) : gap;
 }
 // Returns true if one side of the pair belongs to a solid.
 FUNCTION bool meetsSolid(Near near) {
@@ -293,8 +293,8 @@ FUNCTION float givenBack(Near near, vec3 slide, float thick, float bounce) {
   float through = exactDot(slide, vec3(near.normal));
   precise float after = near.normal.w + through;
   precise float back = through * -bounce;
-  precise float least = -contactStep.bounceFrom;
-  return through < least && after < thick ? back : -1e30f;
+  precise float minimum = -contactStep.bounceFrom;
+  return through < minimum && after < thick ? back : -1e30f;
 }
 
 // Returns the displacement (metres) of the first side's closest point relative to the other side's. It restores the
@@ -306,10 +306,10 @@ FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction, f
   float through = exactDot(slide, normal);
   precise float missing = thick - near.normal.w;
   precise float part = missing * contactStep.recovery;
-  precise float slowly = near.normal.w + min(part, contactStep.mostRecovery);
+  precise float slowly = near.normal.w + min(part, contactStep.maxRecovery);
   float target = missing > 0.0f ? slowly : thick;
-  precise float apart = target - near.normal.w;
-  precise float push = max(apart, back) - through;
+  precise float separation = target - near.normal.w;
+  precise float push = max(separation, back) - through;
   precise vec3 along = slide - normal * through;
   precise float held = friction * push * exactInverseSqrt(max(exactDot(along, along), 1e-24f));
   precise vec3 way = normal * push - along * min(held, 1.0f);
@@ -319,7 +319,7 @@ FUNCTION vec3 correctionOf(Near near, vec3 slide, float thick, float friction, f
 
 // Returns a contact's claim on a corner: the magnitude of the corner's barycentric weight, in units of 1/4096.
 // impulseOf() splits a corner's mass among its contacts in proportion to their claims.
-FUNCTION int claimOf(float share) {
+FUNCTION int massWeightOf(float share) {
   precise float scaled = abs(share) * 4096.0f + 0.5f;
   return int(floor(scaled));
 }
@@ -347,20 +347,20 @@ FUNCTION ivec3 quantaOf(vec3 impulse, float share) {
   return ivec3(int(held.x), int(held.y), int(held.z));
 }
 
-// Returns `place`, limited to the distance `most` from `next` and to the box from `low` to `high`.
-FUNCTION vec3 keptWithin(vec3 next, vec3 place, float most, vec3 low, vec3 high) {
+// Returns `place`, limited to the distance `maximum` from `next` and to the box from `low` to `high`.
+FUNCTION vec3 keptWithin(vec3 next, vec3 place, float maximum, vec3 low, vec3 high) {
   precise vec3 way = place - next;
-  precise float part = most * exactInverseSqrt(max(exactDot(way, way), 1e-24f));
+  precise float part = maximum * exactInverseSqrt(max(exactDot(way, way), 1e-24f));
   precise vec3 moved = next + way * min(part, 1.0f);
   vec3 kept = part < 1.0f ? moved : place;
   return clamp(kept, low, high);
 }
 
-// Returns a vertex's position after its impulses, limited to the distance `most` from its predicted position and to its
+// Returns a vertex's position after its impulses, limited to the distance `maximum` from its predicted position and to its
 // box.
-FUNCTION vec3 pushedTo(vec3 next, vec3 wanted, float weight, ivec3 sum, float most, vec3 low, vec3 high) {
+FUNCTION vec3 pushedTo(vec3 next, vec3 wanted, float weight, ivec3 sum, float maximum, vec3 low, vec3 high) {
   precise vec3 way = wanted + vec3(float(sum.x), float(sum.y), float(sum.z)) * (contactStep.perQuanta * weight);
-  return keptWithin(next, way, most, low, high);
+  return keptWithin(next, way, maximum, low, high);
 }
 
 // Returns the position to which a vertex can be held back: its position at the substep's start, displaced by solids

@@ -32,12 +32,12 @@ void main() {
   vec4 heights = heightsOf(near, now[0], now[1], now[2], now[3]);
   vec4 rises = heightsOf(near, rise[0], rise[1], rise[2], rise[3]);
   float thick = thicknessOf(c);
-  vec4 roams = vec4(0.0f);
-  for (int k = 0; k < 4 && hasStir(); ++k)
-    roams[k] = roamOf(now[k], pointAt(nextSection, c[k]).xyz, stirOf(), pointAt(highSection, c[k]).w);
+  vec4 extraMoves = vec4(0.0f);
+  for (int k = 0; k < 4 && hasPath(); ++k)
+    extraMoves[k] = extraMoveLimit(now[k], pointAt(nextSection, c[k]).xyz, longestPath(), pointAt(highSection, c[k]).w);
   bool ball = isBall(c.x);
   if (ball && pointAt(nowSection, c.x).w == 0.0f) return;  // Skips a ball that is not alive
-  if (!isNear(near, heights, rises, thick, roams)) return;
+  if (!isNear(near, heights, rises, thick, extraMoves)) return;
   if (meetsSolid(near)) {
     bool first = isSolid(c.x);
     vec3 way = wayOfSide(near, first, rise[0], rise[1], rise[2], rise[3]);

@@ -63,12 +63,12 @@ FUNCTION vec3 weighted(vec4 shares, vec3 a, vec3 b, vec3 c, vec3 d) {
 // Builds a Near. `across` is the normal of the face or the common normal of both edges, or zero if a closest point is
 // on a border. It is accurate at any distance, whereas the vector between very close points would consist of rounding
 // errors.
-FUNCTION Near nearOf(ivec4 corners, vec4 shares, vec3 apart, vec3 across) {
-  float squared = exactDot(apart, apart), size = exactDot(across, across);
+FUNCTION Near nearOf(ivec4 corners, vec4 shares, vec3 separation, vec3 across) {
+  float squared = exactDot(separation, separation), size = exactDot(across, across);
   float inverse = exactInverseSqrt(max(squared, 1e-24f));
-  precise vec3 direct = apart * inverse;
+  precise vec3 direct = separation * inverse;
   precise vec3 unit = across * exactInverseSqrt(max(size, 1e-24f));
-  float side = exactDot(unit, apart);
+  float side = exactDot(unit, separation);
   bool has = size > 1e-24f;
   precise float distance = has ? abs(side) : squared * inverse;
   vec3 normal = has ? (side < 0.0f ? -unit : unit) : direct;
@@ -83,16 +83,16 @@ FUNCTION Near nearOfVertex(ivec4 corners, vec3 p, vec3 a, vec3 b, vec3 c) {
   precise vec3 ab = b - a;
   precise vec3 ac = c - a;
   precise vec3 ap = p - a;
-  precise vec3 apart = ap - ab * shares.y - ac * shares.z;
+  precise vec3 separation = ap - ab * shares.y - ac * shares.z;
   bool inside = shares.x > 0.0f && shares.y > 0.0f && shares.z > 0.0f;
-  return nearOf(corners, vec4(1.0f, -shares.x, -shares.y, -shares.z), apart, inside ? exactCross(ab, ac) : vec3(0.0f));
+  return nearOf(corners, vec4(1.0f, -shares.x, -shares.y, -shares.z), separation, inside ? exactCross(ab, ac) : vec3(0.0f));
 }
 FUNCTION Near nearOfEdges(ivec4 corners, vec3 a, vec3 b, vec3 c, vec3 d) {
   vec2 at = closestOfEdges(a, b, c, d);
   precise vec3 along = b - a;
   precise vec3 other = d - c;
   precise vec3 between = a - c;
-  precise vec3 apart = between + along * at.x - other * at.y;
+  precise vec3 separation = between + along * at.x - other * at.y;
   precise float fromA = 1.0f - at.x;
   precise float fromC = at.y - 1.0f;
   bool inside = at.x > 0.0f && at.x < 1.0f && at.y > 0.0f && at.y < 1.0f;
@@ -100,7 +100,7 @@ FUNCTION Near nearOfEdges(ivec4 corners, vec3 a, vec3 b, vec3 c, vec3 d) {
   vec3 across = exactCross(along, other);
   precise float parallel = size * otherSize * 1e-6f;
   inside = inside && exactDot(across, across) > parallel;
-  return nearOf(ivec4(corners.x, ~corners.y, corners.z, corners.w), vec4(fromA, at.x, fromC, -at.y), apart,
+  return nearOf(ivec4(corners.x, ~corners.y, corners.z, corners.w), vec4(fromA, at.x, fromC, -at.y), separation,
                 inside ? across : vec3(0.0f));
 }
 

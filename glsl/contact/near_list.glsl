@@ -5,8 +5,8 @@ STATE_ARRAY(nearsBinding, NearBlock, nears)
 layout(std430, binding = talliesBinding) restrict buffer TallyBlock { ivec4 tallies[]; };
 // Loads a word of the tallies that an earlier dispatch wrote and this dispatch does not change.
 #ifdef TEXEL_PATH
-layout(binding = toldBinding) uniform usamplerBuffer told;
-#define LOAD_TALLY(i) ivec4(texelFetch(told, i))
+layout(binding = tallyTexelsBinding) uniform usamplerBuffer tallyTexels;
+#define LOAD_TALLY(i) ivec4(texelFetch(tallyTexels, i))
 #else
 #define LOAD_TALLY(i) tallies[i]
 #endif
@@ -45,6 +45,6 @@ vec3 wayFromStart(int vertex) {
 int impulseTally(int vertex) {
   return impulseSection * contactStep.vertices + vertex;
 }
-int letTally(int vertex) {
+int pathFractionTally(int vertex) {
   return letSection * contactStep.vertices + vertex;
 }

@@ -7,8 +7,8 @@ void main() {
   int v = int(gl_GlobalInvocationID.x);
   if (v >= contactStep.vertices) return;
   vec4 next = pointAt(nextSection, v);
-  float foreseenStir = isSolid(v) ? 0.0f : uintBitsToFloat(control.searched);
-  Hull hull = widened(reachOf(pointAt(nowSection, v).xyz, next.xyz, next.w), foreseenStir);
+  float searchAllowanceOfFrame = isSolid(v) ? 0.0f : uintBitsToFloat(control.searched);
+  Hull hull = widened(reachOf(pointAt(nowSection, v).xyz, next.xyz, next.w), searchAllowanceOfFrame);
   // A dead ball gets an inverted box, which overlaps nothing.
   bool nowhere = isBall(v) && pointAt(nowSection, v).w == 0.0f;
   hull.low = nowhere ? vec3(1e30f) : hull.low;

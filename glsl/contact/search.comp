@@ -46,5 +46,5 @@ void main() {
     }
     node = meets && node < count ? 2 * node : floatBitsToInt(otherLow.w);
   }
-  if (node != end) control.mostPairs = 0xffffffffu;  // Reports that the search was cut off.
+  if (node != end) control.pairLimit = 0xffffffffu;  // Reports that the search was cut off.
 }

@@ -13,11 +13,11 @@ void main() {
   vec4 next = pointAt(nextSection, v), settled = LOAD_INPUT(partNext, i);
   vec4 now = pointAt(nowSection, v);
   vec4 high = pointAt(highSection, v);
-  precise float most = next.w * 1.25f + roamOf(now.xyz, next.xyz, stirOf(), high.w);
+  precise float maximum = next.w * 1.25f + extraMoveLimit(now.xyz, next.xyz, longestPath(), high.w);
   if (isBall(v) && now.w == 0.0f) {
     keepPoint(wantedSection, v, settled);
     return;
   }
-  vec3 wanted = keptWithin(next.xyz, settled.xyz, most, pointAt(lowSection, v).xyz, high.xyz);
+  vec3 wanted = keptWithin(next.xyz, settled.xyz, maximum, pointAt(lowSection, v).xyz, high.xyz);
   keepPoint(wantedSection, v, vec4(wanted, settled.w));
 }

@@ -6,7 +6,7 @@
 struct STD140 ContactStep {
   float perDt;        // 1 / duration of the substep, in 1/s
   float recovery;     // Fraction of the missing distance that a substep restores
-  float mostRecovery; // Maximum distance in metres that a substep restores
+  float maxRecovery; // Maximum distance in metres that a substep restores
   float horizon;      // Number of substeps that a pair search looks ahead
   float quanta;       // Integer units per kg m, for the sums of impulses
   float perQuanta;    // kg m per integer unit: 1 / `quanta`

@@ -106,11 +106,11 @@ void faces(Corners q, Ranks ranks, ivec2 at, uint place) {
   uint me = cornerIndex(at), row = uint(samples.x);
   uvec4 vertices = uvec4(me, me + 1u, me + row + 1u, me + row);
 #if defined CEILING
-  if (leastOf(q) == 0) facesOf(0, q, ranks, vertices, place);
+  if (minimumOf(q) == 0) facesOf(0, q, ranks, vertices, place);
 #elif LEVELS == 1
   facesOf(0, q, ranks, vertices, place);
   facesOf(1, q, ranks, vertices, place);
 #else
-  for (int class_ = leastOf(q); class_ <= greatestOf(q); ++class_) facesOf(class_, q, ranks, vertices, place);
+  for (int class_ = minimumOf(q); class_ <= greatestOf(q); ++class_) facesOf(class_, q, ranks, vertices, place);
 #endif
 }

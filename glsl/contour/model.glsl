@@ -11,7 +11,7 @@ struct Corners {
 FUNCTION int crossingsBetween(int a, int b) {
   return abs(a - b);
 }
-FUNCTION int leastOf(Corners q) {
+FUNCTION int minimumOf(Corners q) {
   return min(min(q.a, q.b), min(q.c, q.d));
 }
 FUNCTION int greatestOf(Corners q) {
@@ -32,7 +32,7 @@ FUNCTION int edgeCrossingsOf(Corners q) {
 // Returns the number of triangles of the faces into which contours divide a square. A face with n corners has n - 2
 // triangles. A crossing is a corner of both adjacent faces. Each level adds a face, and each saddle adds another face.
 FUNCTION int trianglesOf(Corners q) {
-  int faces = greatestOf(q) - leastOf(q) + 1 + saddlesOf(q);
+  int faces = greatestOf(q) - minimumOf(q) + 1 + saddlesOf(q);
   return 4 + 2 * edgeCrossingsOf(q) - 2 * faces;
 }
 // Returns the number of triangles of the faces of class 0, for a single level.

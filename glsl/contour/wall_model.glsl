@@ -222,13 +222,13 @@ FUNCTION WallNear nearestWall(vec2 place, int region, int rows) {
   return n;
 }
 
-// Returns the lowest class (x) and the highest class (y) of the samples around the position. If `asks` is false, no
+// Returns the lowest class (x) and the highest class (y) of the samples around the position. If `reads` is false, no
 // sample is read.
-FUNCTION ivec2 classesAround(vec2 place, bool asks) {
+FUNCTION ivec2 classesAround(vec2 place, bool reads) {
   precise vec2 base = floor(place);
   int x = int(base.x) - wallGrid.squares;
   int y = int(base.y) - wallGrid.squares;
-  int across = asks ? 2 * wallGrid.squares + 2 : 0;
+  int across = reads ? 2 * wallGrid.squares + 2 : 0;
   ivec2 range = ivec2(maxWallLevels + 1, -1);
   for (int j = 0; j < across; ++j)
     for (int i = 0; i < across; ++i) {

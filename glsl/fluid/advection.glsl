@@ -2,14 +2,14 @@
 
 // Returns where the fluid that is now at p will be at the end of the step. `own` is the velocity at p. The flow has
 // already received half of the step's forces, so this velocity is the mean along the path.
-FUNCTION vec2 wentTo(vec2 p, vec2 own) {
+FUNCTION vec2 destination(vec2 p, vec2 own) {
   precise vec2 end = p + own * stepData.dt;
   return heldPoint(end);
 }
 
 // Returns where the fluid that arrives at p was at the start of the step: p - dt u(p - dt own), where u is the flow and
 // `own` the velocity at p.
-FUNCTION vec2 cameFrom(vec2 p, vec2 own) {
+FUNCTION vec2 departure(vec2 p, vec2 own) {
   precise vec2 about = p - own * stepData.dt;
   vec2 velocity = velocityAt(heldPoint(about));
   precise vec2 start = p - velocity * stepData.dt;
@@ -52,7 +52,7 @@ FUNCTION float cubicAt(int which, vec2 p) {
 
 // Semi-Lagrangian advection: returns the value at the position from which the fluid of this cell comes.
 FUNCTION float carriedPart(int which, int x, int y) {
-  vec2 from = cameFrom(placeOf(which, x, y), ownVelocity(which, x, y));
+  vec2 from = departure(placeOf(which, x, y), ownVelocity(which, x, y));
   return exactFlush(cubic ? cubicAt(which, from) : valueIn(around(false, which, from)));
 }
 
@@ -61,8 +61,8 @@ FUNCTION float carriedPart(int which, int x, int y) {
 FUNCTION float correctedPart(int which, int x, int y) {
   vec2 place = placeOf(which, x, y);
   vec2 own = ownVelocity(which, x, y);
-  Around from = around(false, which, cameFrom(place, own));
-  float there = valueIn(around(true, which, wentTo(place, own)));
+  Around from = around(false, which, departure(place, own));
+  float there = valueIn(around(true, which, destination(place, own)));
   precise float value = partOf(carriedAt(x, y), which) + 0.5f * (partOf(flowAt(x, y), which) - there);
   float low = min(min(from.a, from.b), min(from.c, from.d));
   float high = max(max(from.a, from.b), max(from.c, from.d));

@@ -22,7 +22,7 @@ float missingNow(int x, int y) {
 
 void main() {
   int x = int(gl_GlobalInvocationID.x) - 1, top = rowsEach * int(gl_GlobalInvocationID.y) - 1;
-  float missing = 0.0, most = 0.0;
+  float missing = 0.0, maximum = 0.0;
   for (int y = top; y < top + rowsEach; ++y) {
     if (x > size.x || y > size.y) break;
 #ifdef WAYS
@@ -37,8 +37,8 @@ void main() {
     vec4 cell = flowAt(x, y);
     float speed = max(abs(cell.x), abs(cell.y));
     missing = max(missing, abs(missingNow(x, y)));
-    most = max(most, speed);
+    maximum = max(maximum, speed);
     if (speed > lostSpeed || !isNumber(cell.x) || !isNumber(cell.y) || !isNumber(cell.z)) noteLost(number, uint(y * size.x + x));
   }
-  noteMost(missing, most, most);
+  noteMaximum(missing, maximum, maximum);
 }

@@ -6,5 +6,5 @@ layout(local_size_x = 32, local_size_y = 2) in;
 void main() {
   int x = int(gl_GlobalInvocationID.x), y = int(gl_GlobalInvocationID.y);
   vec4 cell = flowAt(min(x, size.x - 1), min(y, size.y - 1));
-  noteMost(0.0, 0.0, max(abs(cell.x), abs(cell.y)));
+  noteMaximum(0.0, 0.0, max(abs(cell.x), abs(cell.y)));
 }

@@ -2,7 +2,7 @@
 // reverse. One invocation per element.
 #include "fluid/bindings.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = flowBinding) restrict buffer PlaneBlock { uint apart[]; };
+layout(std430, binding = flowBinding) restrict buffer PlaneBlock { uint planeWords[]; };
 layout(std430, binding = carriedBinding) restrict buffer ElementBlock { uint together[]; };
 uniform int planes;    // Number of planes; the other floats of an element are 0
 uniform int elements;
@@ -12,9 +12,9 @@ void main() {
   if (i >= elements) return;
   for (int k = 0; k < 4; ++k) {
 #ifdef SCATTER
-    if (k < planes) apart[k * elements + i] = together[4 * i + k];
+    if (k < planes) planeWords[k * elements + i] = together[4 * i + k];
 #else
-    together[4 * i + k] = k < planes ? apart[k * elements + i] : 0u;
+    together[4 * i + k] = k < planes ? planeWords[k * elements + i] : 0u;
 #endif
   }
 }

@@ -80,9 +80,9 @@ vec2 projected(ivec2 block) {
 
 void main() {
   ivec2 block = blockHere(tilesStart);
-  vec2 most = vec2(0.0);
-  if (2 * block.x < size.x) most = projected(block);
-  noteMost(most.x, most.y, most.y);
+  vec2 maximum = vec2(0.0);
+  if (2 * block.x < size.x) maximum = projected(block);
+  noteMaximum(maximum.x, maximum.y, maximum.y);
 }
 #elif defined TEXEL_PATH
 void main() {
@@ -97,7 +97,7 @@ void main() {
     speed = max(speed, speedOf(cell));
     noteCell(c.x, c.y, cell);
   }
-  noteMost(missing, speed, speed);
+  noteMaximum(missing, speed, speed);
 }
 #else
 #include "fluid/settling.glsl"

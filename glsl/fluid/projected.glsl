@@ -43,7 +43,7 @@ FUNCTION float pressureThen(int x, int y) {
 
 // Returns component `which` of the projected flow at a node, which may be in the ring: 0 is u, 1 is v, 2 is the
 // pressure.
-FUNCTION float partThen(int which, int x, int y) {
+FUNCTION float projectedComponent(int which, int x, int y) {
   if (which == 0) return beyondTopBottom(projectedU(faceX(x), insideY(y)), y);
   if (which == 1) return beyondLeftRight(projectedV(insideX(x), faceY(y)), x);
   return pressureThen(x, y);
@@ -55,8 +55,8 @@ FUNCTION float seenThen(int which, vec2 p) {
   int y = min(int(floor(node.y)), size.y - 1);
   precise float fx = node.x - float(x);
   precise float fy = node.y - float(y);
-  float upper = between(partThen(which, x, y), partThen(which, x + 1, y), fx);
-  float lower = between(partThen(which, x, y + 1), partThen(which, x + 1, y + 1), fx);
+  float upper = between(projectedComponent(which, x, y), projectedComponent(which, x + 1, y), fx);
+  float lower = between(projectedComponent(which, x, y + 1), projectedComponent(which, x + 1, y + 1), fx);
   return between(upper, lower, fy);
 }
 

@@ -8,18 +8,18 @@ layout(local_size_x = 64) in;
 
 struct Tallied {
   vec4 sums;
-  vec4 most;
+  vec4 maximum;
 };
 
 Tallied tallied(int cell) {
   int y = cell / size.x, x = cell - y * size.x;
   Tallied t;
   t.sums = vec4(0.0f);
-  t.most = vec4(0.0f);
+  t.maximum = vec4(0.0f);
   if (cell == 0) {
     precise float cycles = float(int(control.cycles)) * exactReciprocal(max(float(int(control.solved)), 1.0f));
-    t.most.z = uintBitsToFloat(control.worstShare);
-    t.most.w = cycles;
+    t.maximum.z = uintBitsToFloat(control.worstShare);
+    t.maximum.w = cycles;
   }
   t.sums.z = densityOf(dyeAt(x, y));
   if (isSolid(x, y)) return t;
@@ -29,8 +29,8 @@ Tallied tallied(int cell) {
   float speed = max(abs(here.x), abs(here.y));
   t.sums.x = energy;
   t.sums.w = here.z;
-  t.most.x = speed;
-  t.most.y = speed;
+  t.maximum.x = speed;
+  t.maximum.y = speed;
   bool inner = x > 0 && y > 0;
   if (!inner || isSolid(x - 1, y) || isSolid(x, y - 1) || isSolid(x - 1, y - 1)) return t;
   precise float curl = (here.y - flowAt(x - 1, y).y) - (here.x - flowAt(x, y - 1).x);

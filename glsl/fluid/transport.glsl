@@ -178,7 +178,7 @@ FUNCTION float meanCurl(float a, float b) {
 
 // Returns the fraction of the confinement force that is applied: 1 up to half of the expected speed, decreasing to 0 at
 // the expected speed. The force must be limited, because it grows with the flow that it drives.
-FUNCTION float confinedShare(int x, int y) {
+FUNCTION float confinementFactor(int x, int y) {
   vec4 here = flowAt(x, y);
   float speed = max(abs(here.x), abs(here.y));
   precise float share = 2.0f - speed * stepData.confined.x;
@@ -189,7 +189,7 @@ FUNCTION float confinedShare(int x, int y) {
 // epsilon the strength. confinementX() returns the x component at the centre of a left face, confinementY() the y
 // component at the centre of a top face.
 FUNCTION float confinementX(int x, int y) {
-  float share = confinedShare(x, y);
+  float share = confinementFactor(x, y);
   float top = curlAt(x, y);
   float bottom = curlAt(x, y + 1);
   precise float sides = 0.25f * ((abs(curlAt(x + 1, y)) + abs(curlAt(x + 1, y + 1))) -
@@ -201,7 +201,7 @@ FUNCTION float confinementX(int x, int y) {
 }
 
 FUNCTION float confinementY(int x, int y) {
-  float share = confinedShare(x, y);
+  float share = confinementFactor(x, y);
   float left = curlAt(x, y);
   float right = curlAt(x + 1, y);
   precise float sides = 0.25f * ((abs(curlAt(x, y + 1)) + abs(curlAt(x + 1, y + 1))) -

@@ -11,19 +11,19 @@ void main() {
   if (i >= count) return;
   Corner here = loadCorner(i);
   uvec4 fan = LOAD_INPUT_WORDS(fans, i);
-  Fended sum = notFended();
+  ThinPush sum = notPushed();
   int last = stepData.colliderCount + stepData.thinCount;
   for (int c = stepData.colliderCount; c < last; ++c) {
     if (here.inverseMass == 0.0f || !mayMeet(c, here)) continue;
-    Fended most = notFended();
+    ThinPush maximum = notPushed();
     for (uint k = 0u; k < fan.y; ++k) {
       uvec4 ring = LOAD_INPUT_WORDS(rings, int(fan.x + k));
       Corner one = loadCorner(int(ring.x)), other = loadCorner(int(ring.y));
-      most = fendedByEdge(most, c, here, one);
-      most = fendedByEdge(most, c, here, other);
-      most = fendedByFace(most, c, here, one, other);
+      maximum = pushedByEdge(maximum, c, here, one);
+      maximum = pushedByEdge(maximum, c, here, other);
+      maximum = pushedByFace(maximum, c, here, one, other);
     }
-    sum = together(sum, most);
+    sum = together(sum, maximum);
   }
   leaveShift(i, sum);
 }

@@ -6,20 +6,20 @@ layout(local_size_x = 64) in;
 INPUT_ARRAY(sumsInBinding, InBlock, lanesBefore)
 STATE_ARRAY(sumsOutBinding, OutBlock, joined)
 uniform int lanes;
-uniform vec4 sumFactor, mostFactor;
+uniform vec4 sumFactor, maxFactor;
 
 void main() {
   int lane = int(gl_GlobalInvocationID.x);
   if (lane >= lanes) return;
   precise vec4 sums = vec4(0.0f);
-  vec4 most = vec4(-1e30f);
+  vec4 maximum = vec4(-1e30f);
   for (int i = 0; i < tallyJoined; ++i) {
     int before = 2 * (lane + i * lanes);
     sums = sums + LOAD_INPUT(lanesBefore, before);
-    most = max(most, LOAD_INPUT(lanesBefore, before + 1));
+    maximum = max(maximum, LOAD_INPUT(lanesBefore, before + 1));
   }
   sums = sums * sumFactor;
-  precise vec4 greatest = most * mostFactor;
+  precise vec4 greatest = maximum * maxFactor;
   STORE_STATE(joined, 2 * lane, sums);
   STORE_STATE(joined, 2 * lane + 1, greatest);
 }

@@ -93,8 +93,8 @@ int exponentOf(vec4 cells, int plane) {
 
 // Reports a lost cell. `y` is the index of the row in its plane.
 void noteCell(int bits, int x, int y) {
-  int who = 31 - (bits & 31);
-  noteLost(uint(stepNumber), uint(((who >> 2) * PLANE_ROWS + y) * size.x + min(4 * x + (who & 3), size.x - 1)));
+  int cellInRow = 31 - (bits & 31);
+  noteLost(uint(stepNumber), uint(((cellInRow >> 2) * PLANE_ROWS + y) * size.x + min(4 * x + (cellInRow & 3), size.x - 1)));
 }
 
 vec4 grained(vec4 x, float grain) {

@@ -73,6 +73,6 @@ uniform int lostFirst;  // Step number that belongs to lostCells[0]
 // Records lost cells, given the exponents of four cells (exponentOf) in `row` after step `level` of the pass.
 void noteStrip(int bits, int x, int row, int level) {
   if (bits < lostBits) return;
-  int who = 31 - (bits & 31);
-  atomicMin(lostCells[stepNumber - lostFirst + level], uint(((who >> 2) * size.y + row) * size.x + 4 * x + (who & 3)));
+  int cellInRow = 31 - (bits & 31);
+  atomicMin(lostCells[stepNumber - lostFirst + level], uint(((cellInRow >> 2) * size.y + row) * size.x + 4 * x + (cellInRow & 3)));
 }

@@ -10,16 +10,16 @@ uniform int columns, species;
 
 struct Tallied {
   vec4 sums;
-  vec4 most;
+  vec4 maximum;
 };
 
 Tallied tallied(int i) {
   int y = i / size.x, x = i - y * size.x;
   Tallied t;
-  t.most = vec4(-1e30f);
-  for (int k = 0; k < species; ++k) t.most[k] = LOAD_INPUT(cells, (k * size.y + y) * columns + (x >> 2))[x & 3];
+  t.maximum = vec4(-1e30f);
+  for (int k = 0; k < species; ++k) t.maximum[k] = LOAD_INPUT(cells, (k * size.y + y) * columns + (x >> 2))[x & 3];
   for (int k = 0; k < 4; ++k) {
-    float value = t.most[k % species];
+    float value = t.maximum[k % species];
     t.sums[k] = value;
     for (int power = k / species; power > 0; --power) {
       precise float product = t.sums[k] * value;

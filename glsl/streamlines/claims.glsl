@@ -13,7 +13,7 @@ layout(std430, binding = 2) buffer ClaimBlock { uint claims[]; };  // minimum of
                                                                    // and the rank
 
 const int rankBits = 20;
-uint claimOf(int line) {
+uint massWeightOf(int line) {
   uint rank = (uint(line) * 0x9e3b1u) & 0xfffffu;  // The factor is odd, so no two lines have the same rank.
   return (uint(round) << rankBits) | rank;
 }

@@ -24,8 +24,8 @@ bool ended = false;  // true once the line has left the flow or met still air
 vec3 directionAt(vec3 p) {
   vec3 v = windAt(p);
   float squared = exactDot(v, v);
-  precise float least = still * still;
-  if (squared <= least) ended = true;
+  precise float minimum = still * still;
+  if (squared <= minimum) ended = true;
   precise vec3 unit = v * exactInverseSqrt(max(squared, 1e-30));
   return unit;
 }

@@ -15,12 +15,12 @@ void main() {
   int line = int(gl_GlobalInvocationID.x);
   if (line >= count) return;
   ivec4 span = spans[line];
-  ivec2 most = round == 0 ? span.xy : span.zw;
-  uint claim = claimOf(line);
-  bool none = most.x > most.y || most.x > aside || most.y < aside || !isFree(line, aside, claim);
+  ivec2 maximum = round == 0 ? span.xy : span.zw;
+  uint claim = massWeightOf(line);
+  bool none = maximum.x > maximum.y || maximum.x > aside || maximum.y < aside || !isFree(line, aside, claim);
   int begin = aside, end = aside;
-  while (!none && end < most.y && isFree(line, end + 1, claim)) ++end;
-  while (!none && begin > most.x && isFree(line, begin - 1, claim)) --begin;
+  while (!none && end < maximum.y && isFree(line, end + 1, claim)) ++end;
+  while (!none && begin > maximum.x && isFree(line, begin - 1, claim)) --begin;
   if (round == 0 && end - begin < fewest) none = true;
   spans[line] = ivec4(none ? ivec2(aside, aside - 1) : ivec2(begin, end), span.zw);
 }

@@ -15,8 +15,8 @@ uniform vec4 corner;  // Position of cell (0, 0, 0), m; w: cell spacing, m
 
 float slopeAlong(ivec3 cell, ivec3 axis) {
   ivec3 before = max(cell - axis, ivec3(0)), after = min(cell + axis, volume.xyz - 1);
-  ivec3 apart = (after - before) * axis;
-  return volumeSlope(valueAt(before), valueAt(after), apart.x + apart.y + apart.z == 1);
+  ivec3 separation = (after - before) * axis;
+  return volumeSlope(valueAt(before), valueAt(after), separation.x + separation.y + separation.z == 1);
 }
 vec3 slopeAt(ivec3 cell) {
   return vec3(slopeAlong(cell, ivec3(1, 0, 0)), slopeAlong(cell, ivec3(0, 1, 0)), slopeAlong(cell, ivec3(0, 0, 1)));

@@ -37,7 +37,7 @@ FUNCTION FloatMeet floatMet(FloatMeet a, FloatMeet b) {
 
 // Returns the second body, moved to its periodic image that is nearest to the first body.
 FUNCTION FloatBody floatBeside(FloatBody first, FloatBody second) {
-  precise vec3 apart = second.at - first.at;
+  precise vec3 separation = second.at - first.at;
   precise float wholeX = 2.0f * floats.halfX;
   precise float wholeZ = 2.0f * floats.halfZ;
   precise float lowerX = second.at.x - wholeX;
@@ -46,9 +46,9 @@ FUNCTION FloatBody floatBeside(FloatBody first, FloatBody second) {
   precise float higherZ = second.at.z + wholeZ;
   FloatBody beside = second;
   if (floats.west == periodicEdge)
-    beside.at.x = apart.x > floats.halfX ? lowerX : apart.x < -floats.halfX ? higherX : second.at.x;
+    beside.at.x = separation.x > floats.halfX ? lowerX : separation.x < -floats.halfX ? higherX : second.at.x;
   if (floats.north == periodicEdge)
-    beside.at.z = apart.z > floats.halfZ ? lowerZ : apart.z < -floats.halfZ ? higherZ : second.at.z;
+    beside.at.z = separation.z > floats.halfZ ? lowerZ : separation.z < -floats.halfZ ? higherZ : second.at.z;
   return beside;
 }
 
@@ -60,11 +60,11 @@ FUNCTION float floatMargin(FloatBody first, FloatBody second) {
 }
 
 // Returns true if the bounding spheres of the bodies can touch in this step.
-FUNCTION bool floatNear(FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
-  precise vec3 apart = second.at - first.at;
+FUNCTION bool floatNear(FloatBody first, FloatParameters a, FloatBody second, FloatParameters b) {
+  precise vec3 separation = second.at - first.at;
   precise float reach = a.mass.z + b.mass.z + floatMargin(first, second);
   precise float square = reach * reach;
-  return exactDot(apart, apart) < square;
+  return exactDot(separation, separation) < square;
 }
 
 FUNCTION vec4 floatBetween(vec4 a, vec4 b, float part) {
@@ -79,7 +79,7 @@ FUNCTION vec4 floatNodes(int i, int row, float partX, float partY) {
 }
 
 // Returns the normal (xyz) and the signed distance (w) of a body's shape at a point in the body's local space.
-FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
+FUNCTION vec4 floatDistance(FloatParameters t, vec3 q) {
   if (t.meet.w > 0.0f) {
     float square = exactDot(q, q);
     float inverse = exactInverseSqrt(max(square, 1e-12f));
@@ -88,9 +88,9 @@ FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
     return vec4(normal, off);
   }
   precise vec3 u = (q - vec3(t.field)) * t.field.w;
-  precise vec3 most = vec3(t.nodes) - 1.0f;
-  vec3 held = min(max(u, vec3(0.0f)), most);
-  precise vec3 last = most - 1.0f;
+  precise vec3 maximum = vec3(t.nodes) - 1.0f;
+  vec3 held = min(max(u, vec3(0.0f)), maximum);
+  precise vec3 last = maximum - 1.0f;
   vec3 whole = min(floor(held), last);
   precise vec3 part = held - whole;
   int across = int(t.nodes.x);
@@ -110,7 +110,7 @@ FUNCTION vec4 floatDistance(FloatTold t, vec3 q) {
 }
 
 // Tests a probe of the body `owner` against the other body. `sign` is 1 if `owner` is the first body, otherwise -1.
-FUNCTION FloatMeet floatProbe(vec4 probe, FloatBody owner, FloatBody other, FloatTold o, vec3 origin, float sign, float margin) {
+FUNCTION FloatMeet floatProbe(vec4 probe, FloatBody owner, FloatBody other, FloatParameters o, vec3 origin, float sign, float margin) {
   precise vec3 place = owner.at + floatTurned(owner.turn, vec3(probe));
   precise vec3 across = place - other.at;
   vec4 seen = floatDistance(o, floatTurnedBack(other.turn, across));
@@ -129,7 +129,7 @@ FUNCTION FloatMeet floatProbe(vec4 probe, FloatBody owner, FloatBody other, Floa
 }
 
 // Sums the contributions of one lane's probes in a fixed order: the first body's probes, then the second body's probes.
-FUNCTION FloatMeet floatMeetLane(int lane, FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
+FUNCTION FloatMeet floatMeetLane(int lane, FloatBody first, FloatParameters a, FloatBody second, FloatParameters b) {
   FloatMeet meet = floatApart();
   float margin = floatMargin(first, second);
   for (int i = int(a.meet.x) + lane; i < int(a.meet.y); i += floatLanes)
@@ -141,21 +141,21 @@ FUNCTION FloatMeet floatMeetLane(int lane, FloatBody first, FloatTold a, FloatBo
 
 // Returns the velocity along n (m/s), at the point `arm` relative to the centre, that is caused by an impulse of 1 kg
 // m/s along n at this point.
-FUNCTION float floatGive(FloatBody body, FloatTold t, vec3 arm, vec3 n) {
+FUNCTION float floatGive(FloatBody body, FloatParameters t, vec3 arm, vec3 n) {
   vec3 turned = floatTurning(t, body.turn, exactCross(arm, n));
   vec3 moved = exactCross(turned, arm);
   precise float give = t.mass.y + exactDot(moved, n);
   return give;
 }
 
-FUNCTION vec3 floatSpeedAt(FloatBody body, FloatTold t, vec3 arm) {
+FUNCTION vec3 floatSpeedAt(FloatBody body, FloatParameters t, vec3 arm) {
   vec3 turning = floatTurning(t, body.turn, body.spin);
   precise vec3 speed = body.velocity + exactCross(turning, arm);
   return speed;
 }
 
 // Returns the contact force (N) on the first body.
-FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBody second, FloatTold b) {
+FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatParameters a, FloatBody second, FloatParameters b) {
   float perDepth = exactReciprocal(max(meet.place.w, 1e-12f));
   precise vec3 arm = vec3(meet.place) * perDepth;
   precise vec3 otherArm = arm + (first.at - second.at);
@@ -167,9 +167,9 @@ FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBod
   precise float perStep = floats.damp * 2.5f;  // The damping rate is 0.4 / dt, so perStep is 1 / dt.
   precise float slowly = floatOut * min(deep, floats.deepest);
   float goes = deep > 0.0f ? slowly : deep;
-  precise float apart = goes * perStep - into;
+  precise float separation = goes * perStep - into;
   precise float give = floatGive(first, a, arm, normal) + floatGive(second, b, otherArm, normal);
-  precise float push = floatEase * max(apart, 0.0f) * exactReciprocal(max(give, 1e-30f));
+  precise float push = floatEase * max(separation, 0.0f) * exactReciprocal(max(give, 1e-30f));
   precise vec3 slide = speed - into * normal;
   float square = exactDot(slide, slide);
   float inverse = exactInverseSqrt(max(square, 1e-12f));
@@ -177,9 +177,9 @@ FUNCTION vec3 floatPushed(FloatMeet meet, FloatBody first, FloatTold a, FloatBod
   precise float slip = floatEase * square * inverse;
   precise float giveAlong = floatGive(first, a, arm, along) + floatGive(second, b, otherArm, along);
   precise float rough = 0.5f * (a.reach.z + b.reach.z);
-  precise float most = rough * push;
+  precise float maximum = rough * push;
   precise float stop = slip * exactReciprocal(max(giveAlong, 1e-30f));
-  float held = min(most, stop);
+  float held = min(maximum, stop);
   precise vec3 force = (push * normal - held * along) * perStep;
   return meet.place.w > 0.0f ? force : vec3(0.0f);
 }

@@ -1,6 +1,6 @@
 // Rigid bodies with six degrees of freedom on shallow water. Compiles as GLSL and as C++
 // (tests/reference/water_twin.cpp), after common/exact.glsl, water/model.glsl and water/float_types.glsl. The including
-// file provides `floats` (FloatStep), `size` (ivec2, cells), loadWater(int i), loadFloat(int i), loadTold(int i),
+// file provides `floats` (FloatStep), `size` (ivec2, cells), loadWater(int i), loadFloat(int i), loadParameters(int i),
 // loadFloatPoint(int i) (all return texels), and addToSum(int cell, int which, int value).
 //
 //   M dv/dt = sum over points of rho g V f (-w_x, 1, -w_z) - M k (v - u) + contact - M g,     dL/dt = sum r x F
@@ -48,21 +48,21 @@ FUNCTION FloatBody floatBody(int i) {
   return body;
 }
 
-FUNCTION FloatTold floatTold(int i) {
-  int first = i * floatToldTexels;
-  FloatTold t;
-  t.mass = loadTold(first);
-  t.turnA = loadTold(first + 1);
-  t.turnB = loadTold(first + 2);
-  t.grain = loadTold(first + 3);
-  t.drag = loadTold(first + 4);
-  t.reach = loadTold(first + 5);
-  t.tow = loadTold(first + 6);
-  t.head = loadTold(first + 7);
-  t.pull = loadTold(first + 8);
-  t.meet = loadTold(first + 9);
-  t.field = loadTold(first + 10);
-  t.nodes = loadTold(first + 11);
+FUNCTION FloatParameters floatParameters(int i) {
+  int first = i * floatParameterTexels;
+  FloatParameters t;
+  t.mass = loadParameters(first);
+  t.turnA = loadParameters(first + 1);
+  t.turnB = loadParameters(first + 2);
+  t.grain = loadParameters(first + 3);
+  t.drag = loadParameters(first + 4);
+  t.reach = loadParameters(first + 5);
+  t.tow = loadParameters(first + 6);
+  t.head = loadParameters(first + 7);
+  t.pull = loadParameters(first + 8);
+  t.meet = loadParameters(first + 9);
+  t.field = loadParameters(first + 10);
+  t.nodes = loadParameters(first + 11);
   return t;
 }
 
@@ -79,7 +79,7 @@ FUNCTION vec3 floatTurnedBack(vec4 q, vec3 v) {
 
 // Returns the angular velocity R I^-1 R^T L for an angular momentum L, where R is the body's rotation and I the inertia
 // tensor.
-FUNCTION vec3 floatTurning(FloatTold t, vec4 q, vec3 spin) {
+FUNCTION vec3 floatTurning(FloatParameters t, vec4 q, vec3 spin) {
   vec3 own = floatTurnedBack(q, spin);
   precise float x = t.turnA.x * own.x + t.turnB.x * own.y + t.turnB.y * own.z;
   precise float y = t.turnB.x * own.x + t.turnA.y * own.y + t.turnB.z * own.z;
@@ -196,9 +196,9 @@ FUNCTION vec3 floatTouch(vec3 n, float deep, vec3 velocity, float friction) {
   push = deep > 0.0f ? max(push, 0.0f) : 0.0f;
   precise vec3 along = velocity - into * n;
   precise float slip = exactDot(along, along);
-  precise float most = friction * push * exactInverseSqrt(max(slip, 1e-12f));
-  most = min(most, floats.damp);
-  precise vec3 acceleration = push * n - most * along;
+  precise float maximum = friction * push * exactInverseSqrt(max(slip, 1e-12f));
+  maximum = min(maximum, floats.damp);
+  precise vec3 acceleration = push * n - maximum * along;
   return acceleration;
 }
 
@@ -236,7 +236,7 @@ FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, ve
 // Returns the forces on point i of a body. `drive` is the body's thrust per volume under water (N/m^3). `steering` is
 // the body's steering moment as a force density per metre of distance from the body's axis. `turning` is the angular
 // velocity; `extent` is floatExtent() of a point's cuboid.
-FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatTold t, vec3 turning, vec3 drive, vec3 steering, vec3 extent, vec2 wide,
+FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatParameters t, vec3 turning, vec3 drive, vec3 steering, vec3 extent, vec2 wide,
                              vec2 per) {
   vec4 point = loadFloatPoint(i);
   vec3 arm = floatTurned(body.turn, vec3(point));
@@ -316,7 +316,7 @@ FUNCTION FloatSum floatAdded(FloatSum a, FloatSum b) {
 }
 
 // Sums the forces on the points of one lane of a body in a fixed order.
-FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatTold t) {
+FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatParameters t) {
   vec3 turning = floatTurning(t, body.turn, body.spin);
   vec3 extent = floatExtent(body.turn, vec3(t.grain));
   precise float cellsX = extent.x * floats.perCell;
@@ -327,10 +327,10 @@ FUNCTION FloatSum floatLane(int lane, FloatBody body, FloatTold t) {
   precise float perY = 0.5f * exactReciprocal(wideY);
   // Distributes the body's thrust over the volume that was under water in the previous step, because thrust acts only
   // there. The water receives the opposite force.
-  precise float least = 0.02f * t.grain.w;
-  precise float thrust = t.reach.w * exactReciprocal(max(body.wet, least));
+  precise float minimum = 0.02f * t.grain.w;
+  precise float thrust = t.reach.w * exactReciprocal(max(body.wet, minimum));
   precise vec3 drive = thrust * floatTurned(body.turn, vec3(0.0f, 0.0f, 1.0f));
-  precise float swing = t.head.z * exactReciprocal(max(body.wet, least));
+  precise float swing = t.head.z * exactReciprocal(max(body.wet, minimum));
   precise vec3 steering = swing * floatTurned(body.turn, vec3(0.0f, 1.0f, 0.0f));
   FloatSum sum;
   sum.push = vec4(0.0f);

@@ -2,7 +2,7 @@
 // same requirements.
 
 // Returns the state of a body one step later.
-FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, FloatSum sum) {
+FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatParameters t, FloatSum sum) {
   FloatBody next = body;
   precise vec3 force = vec3(sum.push);
   precise vec3 moment = vec3(sum.turn);
@@ -20,7 +20,7 @@ FUNCTION FloatBody floatMoved(int stepNumber, FloatBody body, FloatTold t, Float
   moment = moment + vec3(0.0f, swing, 0.0f);
   precise vec3 velocity = body.velocity + floats.dt * t.mass.y * force;
   precise float falling = velocity.y - floats.dt * floats.gravity;
-  velocity = vec3(clamp(velocity.x, -floats.most, floats.most), falling, clamp(velocity.z, -floats.most, floats.most));
+  velocity = vec3(clamp(velocity.x, -floats.maximum, floats.maximum), falling, clamp(velocity.z, -floats.maximum, floats.maximum));
   // Air drag acts on the part above the water; it is integrated implicitly.
   precise float over = t.grain.w - sum.rest.y;
   precise float dry = max(over, 0.0f) * exactReciprocal(t.grain.w);
@@ -75,7 +75,7 @@ FUNCTION ivec4 floatWindow(vec4 place, float half_) {
 // Returns the index of a cell if the cell is in the window of `body` but in no window of an earlier body, otherwise -1.
 // `within` is the position in the window.
 FUNCTION int floatOwned(int body, ivec2 within) {
-  ivec4 window = floatWindow(loadFloat(body * floatTexels), loadTold(body * floatToldTexels + 5).x);
+  ivec4 window = floatWindow(loadFloat(body * floatTexels), loadParameters(body * floatParameterTexels + 5).x);
   if (within.x >= window.z || within.y >= window.w) return -1;
   int x = window.x + within.x, y = window.y + within.y;
   bool torusX = floats.west == periodicEdge, torusY = floats.north == periodicEdge;
@@ -83,7 +83,7 @@ FUNCTION int floatOwned(int body, ivec2 within) {
   y = torusY ? floatRow(y) : y;
   if (x < 0 || y < 0 || x >= size.x || y >= size.y) return -1;
   for (int i = 0; i < body; ++i) {
-    ivec4 other = floatWindow(loadFloat(i * floatTexels), loadTold(i * floatToldTexels + 5).x);
+    ivec4 other = floatWindow(loadFloat(i * floatTexels), loadParameters(i * floatParameterTexels + 5).x);
     int dx = x - other.x, dy = y - other.y;
     dx = torusX ? floatColumn(dx) : dx;
     dy = torusY ? floatRow(dy) : dy;
@@ -101,7 +101,7 @@ FUNCTION vec4 floatPressed(vec4 texel, ivec4 sums) {
   precise float qx = texel.y + float(sums.y) * floats.flowUnit;
   precise float qy = texel.z + float(sums.z) * floats.flowUnit;
   precise float depth = max(level, texel.w) - texel.w;
-  precise float held = 0.25f * depth * floats.most;
+  precise float held = 0.25f * depth * floats.maximum;
   qx = clamp(qx, -held, held);
   qy = clamp(qy, -held, held);
   return vec4(sums.x == sums.w ? texel.x : max(waterFlush(level), texel.w), waterFlush(qx), waterFlush(qy), texel.w);

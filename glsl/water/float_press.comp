@@ -10,7 +10,7 @@
 layout(local_size_x = 32, local_size_y = 2) in;
 STATE_ARRAY(cellsBinding, CellBlock, cells)
 INPUT_ARRAY(floatsBinding, FloatsBlock, bodies)
-INPUT_ARRAY(floatToldBinding, FloatToldBlock, told)
+INPUT_ARRAY(floatParametersBinding, FloatParametersBlock, floatInput)
 layout(std430, binding = floatSumsBinding) restrict buffer FloatSumBlock { ivec4 sums[]; };
 layout(std140, binding = stepBinding) uniform FloatBlock { FloatStep floats; };
 uniform ivec2 size;
@@ -19,7 +19,7 @@ uniform int first;  // Nonzero for the initial state, which already includes the
 
 vec4 loadWater(int i) { return LOAD_STATE(cells, i); }
 vec4 loadFloat(int i) { return LOAD_INPUT(bodies, i); }
-vec4 loadTold(int i) { return LOAD_INPUT(told, i); }
+vec4 loadParameters(int i) { return LOAD_INPUT(floatInput, i); }
 vec4 loadFloatPoint(int i) { return vec4(0.0f); }
 void addToSum(int cell, int which, int value) {}
 #include "water/model.glsl"

@@ -19,7 +19,7 @@ struct STD140 FloatStep {
   float deepest;        // Penetration in metres beyond which the contact acceleration does not increase
   float thin;           // Depth below which water is thin, m, as in WaterStep
   float dry;            // Depth below which a cell is dry, m
-  float most;           // Maximum horizontal speed, m/s
+  float maximum;           // Maximum horizontal speed, m/s
   int west;             // Boundary kind of each side
   int east;
   int north;
@@ -34,7 +34,7 @@ struct STD140 FloatStep {
 const int floatTexels = 5;
 
 // Parameters of a body for one frame.
-struct FloatTold {
+struct FloatParameters {
   vec4 mass;    // x mass (kg); y 1 / mass; z bounding radius for contact (m); w moment of inertia about y (kg m^2)
   vec4 turnA;   // xyz inverse inertia tensor xx, yy, zz (1/(kg m^2)); w index of its first point
   vec4 turnB;   // xyz inverse inertia tensor xy, xz, yz; w index past its last point
@@ -57,7 +57,7 @@ struct FloatTold {
   vec4 field;
   vec4 nodes;   // xyz number of lattice points along each axis; w lattice spacing (m)
 };
-const int floatToldTexels = 12;
+const int floatParameterTexels = 12;
 const float floatOut = 0.02f;   // Fraction of the penetration depth that a step removes
 // Fraction of the approach speed that a step removes; below 1 because a body may touch several others
 const float floatEase = 0.8f;

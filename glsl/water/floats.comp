@@ -13,7 +13,7 @@ layout(local_size_x = 64) in;
 INPUT_ARRAY(cellsBinding, CellBlock, cells)
 INPUT_ARRAY(floatsBinding, FloatsBlock, bodies)
 STATE_ARRAY(nextFloatsBinding, NextFloatsBlock, nextBodies)
-INPUT_ARRAY(floatToldBinding, FloatToldBlock, told)
+INPUT_ARRAY(floatParametersBinding, FloatParametersBlock, floatInput)
 INPUT_ARRAY(floatPointsBinding, FloatPointBlock, points)
 layout(std430, binding = floatSumsBinding) restrict buffer FloatSumBlock { int sums[]; };
 layout(std140, binding = stepBinding) uniform FloatBlock { FloatStep floats; };
@@ -25,7 +25,7 @@ shared vec4 parts[192];
 
 vec4 loadWater(int i) { return LOAD_INPUT(cells, i); }
 vec4 loadFloat(int i) { return LOAD_INPUT(bodies, i); }
-vec4 loadTold(int i) { return LOAD_INPUT(told, i); }
+vec4 loadParameters(int i) { return LOAD_INPUT(floatInput, i); }
 vec4 loadFloatPoint(int i) { return LOAD_INPUT(points, i); }
 void addToSum(int cell, int which, int value) { atomicAdd(sums[cell * 4 + which], value); }
 #include "water/model.glsl"
@@ -55,7 +55,7 @@ FloatMeet meetOfAll(int lane, FloatMeet meet) {
 void main() {
   int me = int(gl_WorkGroupID.x), lane = int(gl_LocalInvocationID.x);
   FloatBody body = floatBody(me);
-  FloatTold t = floatTold(me);
+  FloatParameters t = floatParameters(me);
   FloatSum sum = floatLane(lane, body, t);
   parts[lane * 3] = sum.push;
   parts[lane * 3 + 1] = sum.turn;
@@ -76,10 +76,10 @@ void main() {
   for (int i = 0; i < floats.count; ++i) {
     if (i == me || stepNumber < 0) continue;
     FloatBody other = floatBody(i);
-    FloatTold o = floatTold(i);
+    FloatParameters o = floatParameters(i);
     bool isFirst = me < i;
     FloatBody first = isFirst ? body : other;
-    FloatTold a = isFirst ? t : o, b = isFirst ? o : t;
+    FloatParameters a = isFirst ? t : o, b = isFirst ? o : t;
     FloatBody second = floatBeside(first, isFirst ? other : body);
     if (!floatNear(first, a, second, b)) continue;
     FloatMeet meet = meetOfAll(lane, floatMeetLane(lane, first, a, second, b));

@@ -16,13 +16,13 @@ FUNCTION vec4 waterValues(int x, int y) {
   vec4 s = loadWaterAt(x, min(y + 1, size.y - 1));
   precise float acrossX = e.x - w.x;
   precise float acrossY = s.x - n.x;
-  float least = min(min(waterDepth(e), waterDepth(w)), min(waterDepth(n), waterDepth(s)));
+  float minimum = min(min(waterDepth(e), waterDepth(w)), min(waterDepth(n), waterDepth(s)));
   precise float steep = acrossX * acrossX + acrossY * acrossY;
   precise float slope = 0.5f * exactSqrt(steep) * exactReciprocal(look.cell);
   precise float foam = (slope - look.calm) * look.foam;
   precise float squared = c.u * c.u + c.v * c.v;
   foam = clamp(foam, 0.0f, 1.0f);
-  return vec4(c.depth, here.x, exactSqrt(squared), least > look.shallow && c.depth > look.shallow ? foam : 0.0f);
+  return vec4(c.depth, here.x, exactSqrt(squared), minimum > look.shallow && c.depth > look.shallow ? foam : 0.0f);
 }
 
 // Returns the height above the bed at which the surface is drawn for a depth of water. Thin water is drawn below the
@@ -64,10 +64,10 @@ FUNCTION float lookedThrough(int x, int y, vec4 here, float depth) {
   vec4 w = loadWaterAt(max(x - 1, 0), y);
   vec4 n = loadWaterAt(x, max(y - 1, 0));
   vec4 s = loadWaterAt(x, min(y + 1, size.y - 1));
-  float least = min(min(waterDepth(e), waterDepth(w)), min(waterDepth(n), waterDepth(s)));
+  float minimum = min(min(waterDepth(e), waterDepth(w)), min(waterDepth(n), waterDepth(s)));
   precise float mean = 0.25f * ((e.x + w.x) + (n.x + s.x));
   precise float crest = 2.5f * (here.x - mean) * exactReciprocal(look.cell);
-  float held = least > look.shallow ? clamp(crest, -0.6f, 0.6f) : 0.0f;
+  float held = minimum > look.shallow ? clamp(crest, -0.6f, 0.6f) : 0.0f;
   precise float seen = depth * (1.0f - held);
   return seen;
 }

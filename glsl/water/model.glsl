@@ -40,8 +40,8 @@ FUNCTION WaterCell waterCell(vec4 texel, float thin) {
   precise float depth = texel.x - texel.w;
   depth = max(depth, 0.0f);
   precise float squared = depth * depth;
-  precise float least = thin * thin;
-  precise float both = squared + max(squared, least);
+  precise float minimum = thin * thin;
+  precise float both = squared + max(squared, minimum);
   precise float factor = 2.0f * depth * exactReciprocal(both);
   precise float u = texel.y * factor;
   precise float v = texel.z * factor;
@@ -72,18 +72,18 @@ FUNCTION bool waterIsMirrored(int i, int count, int low, int high) {
 // Returns the state beyond a side that is a sea: a wave that enters over still water of the border cell's depth, with u
 // = 2 (c - c0), where c and c0 are the wave speeds with and without the wave (simple wave). Outgoing waves are not
 // reflected. The level is never below the bed.
-FUNCTION WaterCell waterSea(vec4 border, float swell, WaterStep told) {
-  precise float top = told.sea + swell;
+FUNCTION WaterCell waterSea(vec4 border, float swell, WaterStep uniforms) {
+  precise float top = uniforms.sea + swell;
   precise float level = max(top, border.w);
   precise float depth = level - border.w;
-  precise float still = told.sea - border.w;
-  precise float weight = told.gravity * depth;
-  precise float weight0 = told.gravity * max(still, 0.0f);
+  precise float still = uniforms.sea - border.w;
+  precise float weight = uniforms.gravity * depth;
+  precise float weight0 = uniforms.gravity * max(still, 0.0f);
   precise float speed = 2.0f * (exactSqrt(weight) - exactSqrt(weight0));
   WaterCell c;
   c.level = level;
   c.depth = depth;
-  c.u = swell == 0.0f || still <= told.thin ? 0.0f : speed;
+  c.u = swell == 0.0f || still <= uniforms.thin ? 0.0f : speed;
   c.v = 0.0f;
   return c;
 }
@@ -158,8 +158,8 @@ FUNCTION WaterSide waterSideY(WaterCell c, WaterCell half_, WaterCell slope, flo
 
 // Returns the HLL flux with the wave speeds of the two-rarefaction approximation, for the depths above the higher of
 // the two beds. It is exactly zero if the levels are equal and the water is at rest. The two cells give away at most
-// `mostA` and `mostB`, a quarter of their water, so that no depth becomes negative.
-FUNCTION WaterFlux waterFlux(WaterSide a, WaterSide b, float gravity, float mostA, float mostB) {
+// `maxA` and `maxB`, a quarter of their water, so that no depth becomes negative.
+FUNCTION WaterFlux waterFlux(WaterSide a, WaterSide b, float gravity, float maxA, float maxB) {
   float bed = max(a.bed, b.bed);
   precise float depthA = a.level - bed;
   precise float depthB = b.level - bed;
@@ -190,7 +190,7 @@ FUNCTION WaterFlux waterFlux(WaterSide a, WaterSide b, float gravity, float most
   precise float flowB = depthB * b.along;
   precise float rise = depthB - depthA;
   precise float mass = (right * flowA - left * flowB + product * rise) * inverse;
-  mass = max(min(mass, mostA), -mostB);
+  mass = max(min(mass, maxA), -maxB);
   precise float jump = 0.5f * gravity * rise * (depthA + depthB);
   precise float before = (right * (flowA * a.along) - left * (flowB * b.along + jump) + product * (flowB - flowA)) * inverse;
   precise float behind = before - jump;
@@ -233,18 +233,18 @@ FUNCTION vec4 waterSettled(vec3 moved, float bed, WaterStep s) {
 // Returns a cell's new texel from the fluxes through its sides. half_ is the cell half a step later; slopeX and slopeY
 // are the cell's slopes.
 FUNCTION vec4 waterGathered(vec4 texel, WaterCell half_, WaterCell slopeX, WaterCell slopeY, WaterFlux east, WaterFlux west,
-                            WaterFlux south, WaterFlux north, WaterStep told) {
+                            WaterFlux south, WaterFlux north, WaterStep uniforms) {
   // Adds the pressure change inside the cell, g h dw, where dw is the change of the level.
-  precise float pressX = told.gravity * half_.depth * slopeX.level;
-  precise float pressY = told.gravity * half_.depth * slopeY.level;
+  precise float pressX = uniforms.gravity * half_.depth * slopeX.level;
+  precise float pressY = uniforms.gravity * half_.depth * slopeY.level;
   precise float out_ = (east.mass - west.mass) + (south.mass - north.mass);
   precise float outX = ((east.before - west.behind) + pressX) + (south.across - north.across);
   precise float outY = ((south.before - north.behind) + pressY) + (east.across - west.across);
-  precise float level = texel.x - told.ratio * out_;
-  level = level + told.rain;
-  precise float qx = texel.y - told.ratio * outX;
-  precise float qy = texel.z - told.ratio * outY;
-  return waterSettled(vec3(level, qx, qy), texel.w, told);
+  precise float level = texel.x - uniforms.ratio * out_;
+  level = level + uniforms.rain;
+  precise float qx = texel.y - uniforms.ratio * outX;
+  precise float qy = texel.z - uniforms.ratio * outY;
+  return waterSettled(vec3(level, qx, qy), texel.w, uniforms);
 }
 
 // Returns the Courant number (|u| + sqrt(g h)) dt / cell size along the axis where it is larger; 0 for thin water.

@@ -42,16 +42,16 @@ void main() {
   bool writes = column >= 2 && column < columns - 2 && x < grid.x;
   x = min(x, grid.x + 1);
   int west = max(column - 1, 0), east = min(column + 1, columns - 1);
-  WaterStep told = water;
-  float g = told.gravity, dry = told.dry, k = told.halfRatio;
+  WaterStep uniforms = water;
+  float g = uniforms.gravity, dry = uniforms.dry, k = uniforms.halfRatio;
   // The rows y - 1, y and y + 1; for row y - 1 also its half step, slopes and fluxes.
-  WaterCell above = waterAt(x, top - 2, told, grid), here = waterAt(x, top - 1, told, grid);
+  WaterCell above = waterAt(x, top - 2, uniforms, grid), here = waterAt(x, top - 1, uniforms, grid);
   WaterCell a2 = here, ax = here, ay = here;
   WaterFlux nothing = WaterFlux(0.0f, 0.0f, 0.0f, 0.0f);
   WaterFlux aboveEast = nothing, aboveWest = nothing, north = nothing;
   float fastest = 0.0f;
   for (int y = top - 1; y <= end; ++y) {
-    WaterCell below = waterAt(x, y + 1, told, grid);
+    WaterCell below = waterAt(x, y + 1, uniforms, grid);
     sharedCells[column] = vec4(here.level, here.depth, here.u, here.v);
     barrier();
     WaterCell e = cellOf(east);
@@ -62,23 +62,23 @@ void main() {
     westSides[column] = vec4(side.level, side.bed, side.along, side.across);
     barrier();
     vec4 v = westSides[east];
-    precise float most = here.depth * told.share;
-    precise float mostEast = e.depth * told.share;
-    WaterFlux fluxEast = waterFlux(waterSideX(here, c2, cx, 0.5f), WaterSide(v.x, v.y, v.z, v.w), g, most, mostEast);
+    precise float maximum = here.depth * uniforms.share;
+    precise float maxEast = e.depth * uniforms.share;
+    WaterFlux fluxEast = waterFlux(waterSideX(here, c2, cx, 0.5f), WaterSide(v.x, v.y, v.z, v.w), g, maximum, maxEast);
     eastFluxes[column] = vec4(fluxEast.mass, fluxEast.behind, fluxEast.across, 0.0f);
     barrier();
     WaterFlux fluxWest = fluxEast;
     fluxWest.mass = eastFluxes[west].x;
     fluxWest.behind = eastFluxes[west].y;
     fluxWest.across = eastFluxes[west].z;
-    precise float mostAbove = above.depth * told.share;
-    WaterFlux south = waterFlux(waterSideY(above, a2, ay, 0.5f), waterSideY(here, c2, cy, -0.5f), g, mostAbove, most);
+    precise float maxAbove = above.depth * uniforms.share;
+    WaterFlux south = waterFlux(waterSideY(above, a2, ay, 0.5f), waterSideY(here, c2, cy, -0.5f), g, maxAbove, maximum);
     if (writes && y > top) {
       int i = (y - 1) * grid.x + x;
-      vec4 stepped = waterGathered(loadWater(i), a2, ax, ay, aboveEast, aboveWest, south, north, told);
+      vec4 stepped = waterGathered(loadWater(i), a2, ax, ay, aboveEast, aboveWest, south, north, uniforms);
       STORE_STATE(nextCells, i, stepped);
       if (!(isNumber(stepped.x) && isNumber(stepped.y) && isNumber(stepped.z))) noteLost(uint(stepNumber), uint(i));
-      fastest = max(fastest, waterCourant(above, told));
+      fastest = max(fastest, waterCourant(above, uniforms));
     }
     above = here;
     here = below;
@@ -89,5 +89,5 @@ void main() {
     aboveWest = fluxWest;
     north = south;
   }
-  if (fastest > told.courant) atomicMax(status.remark, uint(floatBitsToInt(fastest)));
+  if (fastest > uniforms.courant) atomicMax(status.remark, uint(floatBitsToInt(fastest)));
 }

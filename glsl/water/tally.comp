@@ -14,7 +14,7 @@ uniform float shallow;  // Depth below which a cell is not wet, m
 
 struct Tallied {
   vec4 sums;
-  vec4 most;
+  vec4 maximum;
 };
 
 Tallied tallied(int i) {
@@ -26,7 +26,7 @@ Tallied tallied(int i) {
   precise float potential = 0.5f * c.depth * (texel.x + texel.w);
   Tallied t;
   t.sums = vec4(c.depth, moves ? kinetic : 0.0f, potential, wet ? 1.0f : 0.0f);
-  t.most = vec4(moves ? waterCourant(c, water) : 0.0f, moves ? exactSqrt(squared) : 0.0f, c.depth, 0.0f);
+  t.maximum = vec4(moves ? waterCourant(c, water) : 0.0f, moves ? exactSqrt(squared) : 0.0f, c.depth, 0.0f);
   return t;
 }
 #include "grid/tally.glsl"

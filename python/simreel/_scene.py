@@ -230,7 +230,7 @@ class Scene:
         present = self._native.frame()[0]
         if present > first:
             if self._native.is_changed():
-                raise Error(f"the state was written at or before frame {present}, and frame {first} lies before; begin "
+                raise Error(f"the state was written at or before frame {present}, but frame {first} is earlier; begin "
                             f"at {present}, or restart() the scene")
             self.restart()
         bar = Bar(len(numbers), progress)

@@ -90,7 +90,7 @@ class ArrayVisitor final : public sim::CarryOver {
 
 ArrayVisitor visit(sim::World& world, std::string_view object) {
   ArrayVisitor visitor(object);
-  world.carryOver(visitor, [&](const std::string& name) { visitor.begin(name); });
+  world.visitCheckpointData(visitor, [&](const std::string& name) { visitor.begin(name); });
   return visitor;
 }
 
@@ -98,11 +98,11 @@ ArrayVisitor visit(sim::World& world, std::string_view object) {
 void store(const sim::StateArray& array, gl::Buffer& buffer, const std::vector<std::byte>& bytes) {
   if (array.planes.count == 0) return buffer.write(0, bytes);
   const auto each = static_cast<std::size_t>(array.planes.elements);
-  std::vector<std::byte> apart(each * static_cast<std::size_t>(array.planes.count) * wordBytes);
-  for (std::size_t i = 0; i < apart.size() / wordBytes; ++i)
-    std::memcpy(&apart[i * wordBytes], &bytes[(elementWords * (i % each) + i / each) * wordBytes],
+  std::vector<std::byte> planeWords(each * static_cast<std::size_t>(array.planes.count) * wordBytes);
+  for (std::size_t i = 0; i < planeWords.size() / wordBytes; ++i)
+    std::memcpy(&planeWords[i * wordBytes], &bytes[(elementWords * (i % each) + i / each) * wordBytes],
                 wordBytes);
-  buffer.write(array.planes.part.offset, apart);
+  buffer.write(array.planes.part.offset, planeWords);
 }
 
 std::string indexText(std::size_t number, const std::vector<std::size_t>& shape) {

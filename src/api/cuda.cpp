@@ -15,7 +15,7 @@ namespace simreel::api {
 /// Results are 0 for success.
 struct Cuda::Functions {
   int (*init)(unsigned flags);
-  int (*glGetDevices)(unsigned* count, int* devices, unsigned most, int which);
+  int (*glGetDevices)(unsigned* count, int* devices, unsigned maximum, int which);
   int (*retain)(void** context, int device);
   int (*release)(int device);
   int (*push)(void* context);

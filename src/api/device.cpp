@@ -30,7 +30,7 @@ pid_t openedBy = 0;
 /// True while a call of this thread is running. The hook of such a call must not call the library.
 thread_local bool isCalling = false;
 
-constexpr std::size_t mostMessages = 1000;
+constexpr std::size_t maxMessages = 1000;
 
 [[noreturn]] void refuseFork() {
   api::fail(
@@ -45,7 +45,7 @@ Device::State::State(const DeviceOptions& wanted)
     : options(wanted), process(::getpid()), worker(std::make_unique<api::Worker>()) {
   setMessageTaker([this](const char* level, const std::string& text) {
     const std::scoped_lock lock(mutex);
-    if (messages.size() < mostMessages) messages.push_back({level, text});
+    if (messages.size() < maxMessages) messages.push_back({level, text});
   });
   try {
     run([this] {
@@ -92,14 +92,14 @@ void Device::State::runTask(const std::function<void()>& task) {
     api::fail(
         ErrorKind::usage,
         "a call of simreel is running in this thread; a signal handler or a hook cannot make another");
-  std::function<bool()> asks;
+  std::function<bool()> interruptRequested;
   {
     const std::scoped_lock lock(mutex);
-    asks = hook;
+    interruptRequested = hook;
   }
   std::atomic<bool> begun = false, ended = false;
   const auto ask = [&] {
-    if (ended || !asks()) return;
+    if (ended || !interruptRequested()) return;
     ended = true;
     if (begun)
       frame::setInterrupt(SIGINT);  // If the task has not begun, the running call belongs to
@@ -113,7 +113,7 @@ void Device::State::runTask(const std::function<void()>& task) {
   };
   isCalling = true;
   try {
-    worker->run(work, asks ? std::function<void()>(ask) : std::function<void()>());
+    worker->run(work, interruptRequested ? std::function<void()>(ask) : std::function<void()>());
   } catch (...) {
     failure = std::current_exception();
   }

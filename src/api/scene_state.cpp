@@ -135,7 +135,7 @@ void Scene::State::buildWorld() {
 void Scene::State::follow() {
   world->onFrameBefore([this](const sim::Drawables& before) {
     for (draw::Renderer* renderer : {renderer_.get(), layerRenderer_.get()})
-      if (renderer != nullptr && renderer->hearsBefore()) renderer->keepBefore(before);
+      if (renderer != nullptr && renderer->needsPreviousFrame()) renderer->setPreviousFrame(before);
     movedTo_ = world->frame() + 1;
   });
 }
@@ -150,7 +150,7 @@ void Scene::State::advanceTo(int frame) {
     api::fail(ErrorKind::usage, fmt::format("frames count from 0; there is no frame {}", frame));
   if (frame < world->frame())
     api::fail(ErrorKind::usage,
-              fmt::format("frame {} lies before the present one, {}; restart() the scene first", frame,
+              fmt::format("frame {} is before the current frame, {}; restart() the scene first", frame,
                           world->frame()));
   keepLoss([&] { stepTo(frame); });
 }
@@ -163,7 +163,7 @@ void Scene::State::stepTo(int frame) {
     if (seen)
       world->advanceTo(next);
     else
-      world->passTo(next);
+      world->advanceUndrawn(next);
     if (seen) summaries->start();
   }
 }
@@ -256,7 +256,7 @@ void Scene::State::makeLayerRenderer() {
 
 /// Frame 0 has no preceding frame, and nothing moves in it.
 void Scene::State::requireMotion(const draw::Renderer& renderer, const char* what) const {
-  if (renderer.hearsBefore() && world->frame() > world->firstFrame() && movedTo_ != world->frame())
+  if (renderer.needsPreviousFrame() && world->frame() > world->firstFrame() && movedTo_ != world->frame())
     api::fail(ErrorKind::usage,
               fmt::format(
                   "{} needs the frame before frame {}, which this scene did not simulate; go one frame on",

@@ -78,7 +78,7 @@ struct Scene::State {
   std::unique_ptr<frame::Summaries> summaries;
   std::string stateHash;
   bool seen = true;      ///< false if the current frame was stepped without being prepared for drawing
-                         ///< (World::passTo), so that complete() must finish it
+                         ///< (World::advanceUndrawn), so that complete() must finish it
   bool changed = false;  ///< true if write() has changed the state
   std::vector<std::string> layerObjects;
 

@@ -127,8 +127,8 @@ bool hasName(int file, const std::filesystem::path& name) {
 /// it until it is closed. Reuses a file that a killed program has left. Returns -1 with errno set on
 /// failure.
 int openPart(const std::filesystem::path& path, std::filesystem::path& part) {
-  constexpr int most = 1000;
-  for (int attempt = 0, number = 1; attempt < most; ++attempt) {
+  constexpr int maximum = 1000;
+  for (int attempt = 0, number = 1; attempt < maximum; ++attempt) {
     part = path.string() + (number == 1 ? ".part" : fmt::format(".part{}", number));
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0) return file;

@@ -37,14 +37,14 @@ enum Outcome : char { returned = 'r', mistake = 'u', outOfMemory = 'm', other = 
 
 /// Anonymous file in memory for the child's result. Unlike a pipe, it need not be read while the child
 /// runs.
-class Parcel {
+class ResultFile {
  public:
-  Parcel() : file_(::memfd_create("simreel", MFD_CLOEXEC)) {}
-  ~Parcel() {
+  ResultFile() : file_(::memfd_create("simreel", MFD_CLOEXEC)) {}
+  ~ResultFile() {
     if (file_ >= 0) ::close(file_);
   }
-  Parcel(const Parcel&) = delete;
-  Parcel& operator=(const Parcel&) = delete;
+  ResultFile(const ResultFile&) = delete;
+  ResultFile& operator=(const ResultFile&) = delete;
   [[nodiscard]] bool ready() const { return file_ >= 0; }
 
   bool put(std::string_view bytes) const {
@@ -91,7 +91,7 @@ void limit(__rlimit_resource what, rlim_t max) {
   ::setrlimit(what, &now);
 }
 
-void settleIn(const Allotment& allotment) {
+void settleIn(const ProcessLimits& allotment) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   // Only the parent handles interrupts and reports crashes.
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_IGN);
@@ -109,7 +109,7 @@ void settleIn(const Allotment& allotment) {
 
 /// Runs the work in the child and exits with _exit(), so that no destructor of a static object runs and no
 /// buffer inherited from the parent is written.
-[[noreturn]] void runChild(const Parcel& parcel, const Allotment& allotment,
+[[noreturn]] void runChild(const ResultFile& parcel, const ProcessLimits& allotment,
                            const std::function<std::string()>& work) {
   settleIn(allotment);
   const auto leave = [&](Outcome outcome, std::string_view bytes) {
@@ -131,7 +131,7 @@ void settleIn(const Allotment& allotment) {
   ::_exit(1);
 }
 
-std::string howItEnded(int status, const Allotment& allotment) {
+std::string howItEnded(int status, const ProcessLimits& allotment) {
   if (!WIFSIGNALED(status)) return "crashed";
   if (WTERMSIG(status) == SIGXCPU) return fmt::format("took more than {} s", allotment.seconds);
   return fmt::format("crashed ({})", ::strsignal(WTERMSIG(status)));
@@ -139,8 +139,8 @@ std::string howItEnded(int status, const Allotment& allotment) {
 
 }  // namespace
 
-std::string runIsolated(const Allotment& allotment, const std::function<std::string()>& work) {
-  const Parcel parcel;
+std::string runIsolated(const ProcessLimits& allotment, const std::function<std::string()>& work) {
+  const ResultFile parcel;
   const pid_t child = parcel.ready() ? ::fork() : -1;
   if (child < 0) return work();
   if (child == 0) runChild(parcel, allotment, work);

@@ -6,7 +6,7 @@
 namespace simreel {
 
 /// Limits on the resources of isolated work.
-struct Allotment {
+struct ProcessLimits {
   std::size_t bytes;  ///< address space in bytes, in addition to what the process already uses
   int seconds;        ///< processor time in seconds
 };
@@ -16,6 +16,7 @@ struct Allotment {
 /// text that states how the child ended and that can follow a name: "crashed (Segmentation fault)". `work`
 /// must neither use a GL context nor wait for another thread, because the child has neither a context nor
 /// other threads. If the system cannot start a process, runs `work` in the calling process.
-[[nodiscard]] std::string runIsolated(const Allotment& allotment, const std::function<std::string()>& work);
+[[nodiscard]] std::string runIsolated(const ProcessLimits& allotment,
+                                      const std::function<std::string()>& work);
 
 }  // namespace simreel

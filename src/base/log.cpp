@@ -48,9 +48,9 @@ void say(const char* kind, std::string_view prefix, const std::string& text) {
 
 }  // namespace
 
-void setMessageTaker(MessageTaker take) {
+void setMessageTaker(MessageTaker newTaker) {
   const std::scoped_lock lock(takerMutex);
-  taker = std::move(take);
+  taker = std::move(newTaker);
 }
 
 void logAsJson() {

@@ -25,7 +25,7 @@ std::string spelt(std::string_view text, std::string_view kept) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = codePointLength(text, at);
     const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
-    const bool plain = length != 0 && (!steersTerminal(character) || kept.find(character) != kept.npos);
+    const bool plain = length != 0 && (!isTerminalControl(character) || kept.find(character) != kept.npos);
     out += plain ? std::string(character) : speltOut(character, length != 0);
     at += character.size();
   }
@@ -90,7 +90,7 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
-bool steersTerminal(std::string_view character) {
+bool isTerminalControl(std::string_view character) {
   const char32_t code = codePoint(character);
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E ||
          code == 0x200F || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);

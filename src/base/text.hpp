@@ -32,7 +32,7 @@ namespace simreel {
 /// True if a valid UTF-8 character can control a terminal or change the reading order of text. These are
 /// control characters (U+0000 to U+001F, U+007F to U+009F), line separators, and marks of writing
 /// direction.
-[[nodiscard]] bool steersTerminal(std::string_view character);
+[[nodiscard]] bool isTerminalControl(std::string_view character);
 
 /// Returns the text as one line. Newlines, other control characters and invalid UTF-8 are escaped (\x1b,
 /// \u202e, \xff), so that text from any file, name or argument can be printed safely.

@@ -28,7 +28,7 @@ namespace {
 
 /// Time (ms) between checks for a signal. The checks are needed because a signal that arrives just before a
 /// wait does not interrupt it.
-constexpr int glance = 50;
+constexpr int pollMilliseconds = 50;
 
 enum class Word : std::uint32_t { ready, answer, mistake, failure };
 
@@ -65,7 +65,7 @@ struct Worker {
   int work = -1, answers = -1;
   std::string heard;  ///< received bytes of an incomplete message
   bool ready = false;
-  bool told = false;  ///< true if the worker has been told to end
+  bool warned = false;  ///< true if the worker has been told to end
   std::optional<std::size_t> item;
   Clock::time_point begin;  ///< time at which the current item began
   bool late = false;
@@ -77,7 +77,7 @@ struct Worker {
 
 class Employer {
  public:
-  explicit Employer(const WorkForce& force)
+  explicit Employer(const WorkerPool& force)
       : force_(force), begun_(force.items, false), losses_(force.items, 0) {}
   ~Employer() {
     // After an exception no results are used, so all workers are killed.
@@ -103,7 +103,7 @@ class Employer {
     }
     if (force_.interrupted() != 0) {
       while (!waiting_.empty())
-        handOn();  // handOn() delivers the remaining results, although some items have none.
+        deliverNext();  // deliverNext() delivers the remaining results, although some items have none.
       return;
     }
     if (!everReady_ && firstMistake_) throw UserError(*firstMistake_, firstFailure_);
@@ -139,7 +139,7 @@ class Employer {
       }
       ::close(work[1]);
       ::close(answers[0]);
-      live(work[0], answers[1], place);
+      runWorker(work[0], answers[1], place);
     }
     const int error = errno;
     for (const int end : {work[0], answers[1]})
@@ -163,7 +163,7 @@ class Employer {
 
   /// Runs in the worker process. Exits with _exit(), so that no destructor of a static object runs and no
   /// buffer inherited from the parent is written.
-  [[noreturn]] void live(int in, int out, std::size_t place) const {
+  [[noreturn]] void runWorker(int in, int out, std::size_t place) const {
     WorkerLine line(in, out, place);
     try {
       force_.work(line);
@@ -183,7 +183,7 @@ class Employer {
 
   void stopAll() {
     for (Worker& worker : workers_)
-      if (!std::exchange(worker.told, true)) {
+      if (!std::exchange(worker.warned, true)) {
         ::kill(worker.process, SIGTERM);
         closeWork(worker);
       }
@@ -232,23 +232,24 @@ class Employer {
   void listen() {
     std::vector<pollfd> lines;
     for (const Worker& worker : workers_) lines.push_back({worker.answers, POLLIN, 0});
-    if (::poll(lines.data(), lines.size(), glance) <= 0) return;
+    if (::poll(lines.data(), lines.size(), pollMilliseconds) <= 0) return;
     std::size_t at = 0;
     for (auto worker = workers_.begin(); at < lines.size(); ++at) {
       const auto here = worker++;
-      if (lines[at].revents != 0 && !hear(*here)) buried(here);
+      if (lines[at].revents != 0 && !receive(*here)) buried(here);
     }
   }
 
   void endLate() {
-    if (force_.patience <= 0) return;
+    if (force_.itemTimeout <= 0) return;
     for (Worker& worker : workers_)
-      if (worker.item && secondsSince(worker.begin) > force_.patience && !std::exchange(worker.late, true))
+      if (worker.item && secondsSince(worker.begin) > force_.itemTimeout &&
+          !std::exchange(worker.late, true))
         ::kill(-worker.process, SIGKILL);
   }
 
   /// Reads messages from a worker. Returns false at the end of the connection.
-  bool hear(Worker& worker) {
+  bool receive(Worker& worker) {
     char block[1 << 16];
     const ssize_t got = ::read(worker.answers, block, sizeof block);
     if (got < 0) return errno == EINTR;
@@ -269,7 +270,7 @@ class Employer {
       case Word::ready:
         worker.ready = true;
         if (!std::exchange(everReady_, true)) force_.ready(text);
-        tellUnready();
+        warnUnready();
         break;
       case Word::answer:
         if (!worker.item || *worker.item != head.item) break;
@@ -301,7 +302,7 @@ class Employer {
     const int status = waitFor(worker);
     if (force_.interrupted() != 0) return;
     if (worker.late)
-      worker.failure = fmt::format("took longer than {:g} s, and was ended", force_.patience);
+      worker.failure = fmt::format("took longer than {:g} s, and was ended", force_.itemTimeout);
     else if (worker.failure.empty())
       worker.failure = WIFSIGNALED(status) ? fmt::format("was ended by signal {} ({})", WTERMSIG(status),
                                                          ::strsignal(WTERMSIG(status)))
@@ -312,7 +313,7 @@ class Employer {
       firstMistake_ = worker.mistake;
     }
     if (!worker.ready) unready_.push_back(worker.failure);
-    tellUnready();
+    warnUnready();
     if (worker.item) lose(*worker.item, {worker.failure, worker.late});
     const bool more = std::find(begun_.begin(), begun_.end(), false) != begun_.end();
     if (worker.ready && !wellDone && more) static_cast<void>(start());
@@ -320,7 +321,7 @@ class Employer {
 
   /// Warns about processes that ended before they were ready, but only after another process has become
   /// ready. If none becomes ready, the failure is the error of the whole call.
-  void tellUnready() {
+  void warnUnready() {
     if (!everReady_) return;
     for (const std::string& failure : unready_)
       warn("the work continues with one process less, because that process {}", failure);
@@ -339,10 +340,10 @@ class Employer {
   void finish(std::size_t item, End&& end) {
     begun_[item] = true;
     waiting_.emplace(item, std::move(end));
-    while (!waiting_.empty() && waiting_.begin()->first == handedOn_) handOn();
+    while (!waiting_.empty() && waiting_.begin()->first == handedOn_) deliverNext();
   }
 
-  void handOn() {
+  void deliverNext() {
     const auto first = waiting_.extract(waiting_.begin());
     handedOn_ = first.key() + 1;
     if (const auto* loss = std::get_if<Loss>(&first.mapped()))
@@ -351,7 +352,7 @@ class Employer {
       force_.done(first.key(), std::get<std::string>(first.mapped()));
   }
 
-  const WorkForce& force_;
+  const WorkerPool& force_;
   std::list<Worker> workers_;
   std::vector<bool> begun_;
   std::vector<int> losses_;
@@ -385,7 +386,7 @@ void WorkerLine::answer(std::size_t item, std::string_view text) {
   send(out_, {Word::answer, 0, item, 0}, text);
 }
 
-void employ(const WorkForce& force) {
+void runWorkers(const WorkerPool& force) {
   Employer(force).run();
 }
 

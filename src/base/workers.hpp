@@ -16,7 +16,7 @@ struct Task {
 /// Description of how a worker ended while it worked on an item.
 struct Loss {
   std::string how;    ///< reason in words, such as "was ended by signal 9 (Killed)"
-  bool late = false;  ///< true if the item took longer than WorkForce::patience
+  bool late = false;  ///< true if the item took longer than WorkerPool::patience
 };
 
 /// The worker's end of the connection to the program that started it.
@@ -25,8 +25,8 @@ class WorkerLine {
   WorkerLine(int in, int out, std::size_t place) : in_(in), out_(out), place_(place) {}
   /// Returns the zero-based slot of this worker. A worker that replaces another one takes over its slot.
   [[nodiscard]] std::size_t place() const { return place_; }
-  /// Reports that the worker can start, with a text for the main program (WorkForce::ready). Must be called
-  /// once, before the first item.
+  /// Reports that the worker can start, with a text for the main program (WorkerPool::ready). Must be
+  /// called once, before the first item.
   void ready(std::string_view text);
   /// Returns the next item, or nullopt if no work is left.
   [[nodiscard]] std::optional<Task> next();
@@ -39,7 +39,7 @@ class WorkerLine {
 
 /// Items of work, numbered from 0, for several parallel processes. Only `work` runs in these processes; the
 /// other functions run in the main program.
-struct WorkForce {
+struct WorkerPool {
   std::size_t workers = 1;
   std::size_t items = 0;
   /// Main function of a worker. If no worker ever becomes ready, employ() rethrows the first worker's
@@ -56,7 +56,7 @@ struct WorkForce {
   std::function<bool(std::size_t item, const Loss&)> again;
   /// Max time (s) for an item; 0 means unlimited. After that time, the item's worker is killed with all
   /// processes that it has started.
-  double patience = 0;
+  double itemTimeout = 0;
   /// Returns true for items that must run in order and not in parallel with each other.
   std::function<bool(std::size_t item)> alone;
   /// Returns the number of a received signal, or 0. After a signal, no new work starts, workers get
@@ -66,6 +66,6 @@ struct WorkForce {
 
 /// Does all the work. A worker that ends while it works on an item affects only this item, because another
 /// worker takes its slot. Throws UserError if no worker can be started or no worker becomes ready.
-void employ(const WorkForce& force);
+void runWorkers(const WorkerPool& force);
 
 }  // namespace simreel

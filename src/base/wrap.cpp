@@ -8,14 +8,14 @@
 namespace simreel {
 
 std::size_t textWidth() {
-  constexpr std::size_t least = 40, most = 200, elsewhere = 100;
+  constexpr std::size_t minimum = 40, maximum = 200, elsewhere = 100;
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the environment is only read.
   if (const char* columns = std::getenv("COLUMNS"))
     if (const unsigned long wanted = std::strtoul(columns, nullptr, 10); wanted > 0)
-      return std::clamp<std::size_t>(wanted, least, most);
+      return std::clamp<std::size_t>(wanted, minimum, maximum);
   winsize size{};
   if (::isatty(STDOUT_FILENO) != 0 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
-    return std::clamp<std::size_t>(size.ws_col, least, most);
+    return std::clamp<std::size_t>(size.ws_col, minimum, maximum);
   return elsewhere;
 }
 

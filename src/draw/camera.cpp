@@ -19,7 +19,7 @@ constexpr float radiansPerDegree = 0.017453293F;
 /// Returns the target of a camera that follows no path.
 glm::vec3 targetOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
   if (!camera.track)
-    return drawables.lagging.empty() ? camera.target.at(seconds) : drawables.lagging.front();
+    return drawables.dampedCamera.empty() ? camera.target.at(seconds) : drawables.dampedCamera.front();
   for (const sim::Place& place : drawables.places)
     if (*place.object == camera.track->object) return place.middle + camera.track->offset;
   fail(ExitCode::usage, "the camera looks at \"{}\", which has no place at {:g} s", camera.track->object,
@@ -27,9 +27,10 @@ glm::vec3 targetOf(const scene::Camera& camera, double seconds, const sim::Drawa
 }
 
 Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables& drawables) {
-  if (camera.orbit) return standAround(targetOf(camera, seconds, drawables), *camera.orbit, seconds);
+  if (camera.orbit) return orbitPose(targetOf(camera, seconds, drawables), *camera.orbit, seconds);
   if (!camera.follow) return {camera.position.at(seconds), targetOf(camera, seconds, drawables)};
-  if (drawables.lagging.size() == 2) return {drawables.lagging.back(), drawables.lagging.front()};
+  if (drawables.dampedCamera.size() == 2)
+    return {drawables.dampedCamera.back(), drawables.dampedCamera.front()};
   if (const sim::Path* path = sim::pathOf(drawables, camera.follow->object))
     return standOn(*path->points, *camera.follow, seconds);
   fail(ExitCode::usage,
@@ -41,20 +42,20 @@ Stand standOf(const scene::Camera& camera, double seconds, const sim::Drawables&
 /// Returns the distance (m) by which an orthographic camera above the ground must move back so that the
 /// lowest corner of its near plane is above the ground. Each metre of movement raises the corner by
 /// -forward.y. The distance is limited, because no ground is visible beyond its fade distance.
-float missingBehind(const View& view, float near, const scene::Ground& ground) {
+float setBackAboveGround(const View& view, float near, const scene::Ground& ground) {
   constexpr float level = 1e-4F, slack = 1e-4F;
   const float rise = -view.forward.y, above = view.eye.y - ground.height;
   if (!(rise > level) || !(above > 0)) return 0;
   const float lowest = above - std::abs(view.right.y) - std::abs(view.up.y) - near * rise;
   if (lowest >= 0) return 0;
   const float fades = std::max(ground.fadeStart, ground.fadeEnd);
-  const float most = 2 * (fades + glm::distance(view.eye, view.target) + view.reach.x + view.reach.y);
-  return std::min(-lowest / rise * (1 + slack) + slack, most);
+  const float maximum = 2 * (fades + glm::distance(view.eye, view.target) + view.reach.x + view.reach.y);
+  return std::min(-lowest / rise * (1 + slack) + slack, maximum);
 }
 
 }  // namespace
 
-Stand standAround(const glm::vec3& target, const scene::Orbit& orbit, double seconds) {
+Stand orbitPose(const glm::vec3& target, const scene::Orbit& orbit, double seconds) {
   constexpr double perDegree = 0.017453292519943295;
   const double turn = perDegree * static_cast<double>(orbit.turn.at(seconds));
   const double rise = perDegree * static_cast<double>(orbit.elevation.at(seconds));
@@ -99,7 +100,7 @@ View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size, const 
   view.right = r * wide;
   view.up = u * high;
   view.reach = glm::vec2(wide, high);
-  if (view.parallel && ground != nullptr) view.farther = missingBehind(view, camera.near, *ground);
+  if (view.parallel && ground != nullptr) view.farther = setBackAboveGround(view, camera.near, *ground);
   if (view.farther > 0) view.eye -= view.farther * view.forward;
   const glm::vec3& f = view.forward;
   const glm::vec3& e = view.eye;

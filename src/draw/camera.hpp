@@ -39,14 +39,14 @@ struct View {
 [[nodiscard]] View viewAt(const scene::Camera& camera, double seconds, glm::ivec2 size,
                           const sim::Drawables& drawables, const scene::Ground* ground = nullptr);
 /// Returns the ground that pictures of the scene show, or null.
-[[nodiscard]] inline const scene::Ground* groundSeen(const scene::Scene& scene) {
+[[nodiscard]] inline const scene::Ground* visibleGround(const scene::Scene& scene) {
   return scene.ground && scene.ground->visible ? &*scene.ground : nullptr;
 }
 
 /// Position and target of a camera on a path.
 using Stand = sim::Stand;
 /// Returns the position and target of a camera that orbits `target`, at `seconds`.
-[[nodiscard]] Stand standAround(const glm::vec3& target, const scene::Orbit& orbit, double seconds);
+[[nodiscard]] Stand orbitPose(const glm::vec3& target, const scene::Orbit& orbit, double seconds);
 using sim::standOn;
 
 }  // namespace simreel::draw

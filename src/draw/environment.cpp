@@ -92,8 +92,8 @@ struct Ray {
 
 /// Returns some thousand rays that represent the image. Each ray is the mean of a block of pixels.
 std::vector<Ray> raysOf(const Panorama& picture) {
-  constexpr int most = 64;  // max number of rows of rays
-  const int step = (picture.size().y + most - 1) / most;
+  constexpr int maximum = 64;  // max number of rows of rays
+  const int step = (picture.size().y + maximum - 1) / maximum;
   std::vector<Ray> rays;
   for (int y = 0; y < picture.size().y; y += step)
     for (int x = 0; x < picture.size().x; x += step) {

@@ -69,7 +69,7 @@ void setGround(shader::Frame& frame, const scene::Ground& ground) {
 shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds,
                           const sim::Drawables& drawables) {
   shader::Frame frame{};
-  const View view = viewAt(scene.camera, seconds, size, drawables, groundSeen(scene));
+  const View view = viewAt(scene.camera, seconds, size, drawables, visibleGround(scene));
   frame.viewProjection = view.viewProjection;
   // In orthographic views the eye is so far away that rays are almost parallel. eye.w is 0, so shaders use
   // the same view direction at all positions.

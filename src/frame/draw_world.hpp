@@ -7,8 +7,8 @@ namespace simreel::frame {
 /// Makes the world pass the previous frame's drawables to the renderer, if the renderer needs them for
 /// motion blur or velocities. Must be called after Renderer::keepLayers().
 inline void followMotion(draw::Renderer& renderer, sim::World& world) {
-  if (renderer.hearsBefore())
-    world.onFrameBefore([&renderer](const sim::Drawables& before) { renderer.keepBefore(before); });
+  if (renderer.needsPreviousFrame())
+    world.onFrameBefore([&renderer](const sim::Drawables& before) { renderer.setPreviousFrame(before); });
 }
 
 /// Draws the world's current frame. If a simulation's draw buffers are too small, World::grow() enlarges

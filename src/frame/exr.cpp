@@ -114,7 +114,7 @@ void addMatte(Imf::Header& header, Channels& channels, const PictureLayers& pict
     std::vector<float> values(4 * pixels);
     for (std::size_t i = 0; i < pixels; ++i)
       for (std::size_t k = 0; k < 2 && rank + k < ranks; ++k) {
-        const PictureLayers::Share& share = picture.shares[i * ranks + rank + k];
+        const PictureLayers::ObjectCoverage& share = picture.shares[i * ranks + rank + k];
         if (share.coverage <= 0) continue;
         values[4 * i + 2 * k] = ids[share.object];
         values[4 * i + 2 * k + 1] = share.coverage;
@@ -206,7 +206,7 @@ std::string pixelHash(const PictureLayers& picture) {
   addTo(all, "primitive", picture.primitive);
   for (const std::string& object : picture.objects) all += " " + object;
   std::vector<float> shares;
-  for (const PictureLayers::Share& share : picture.shares) {
+  for (const PictureLayers::ObjectCoverage& share : picture.shares) {
     shares.push_back(static_cast<float>(share.object));
     shares.push_back(share.coverage);
   }

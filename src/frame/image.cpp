@@ -104,7 +104,7 @@ std::optional<std::size_t> compressZlib(std::span<const unsigned char> in, std::
 constexpr int largestSide = 16384;
 /// max width or height of any decoder; larger images are rejected before decoding
 constexpr int largestSideOfAll = 1 << 24;
-constexpr std::size_t mostPixels = std::size_t{1} << 28;
+constexpr std::size_t maxPixels = std::size_t{1} << 28;
 
 using Bytes = std::span<const unsigned char>;
 
@@ -298,9 +298,9 @@ std::optional<glm::ivec2> sizeInHeader(std::string_view bytes) {
 Image decodeImage(std::span<const std::byte> file, const std::string& name) {
   const std::string_view bytes(reinterpret_cast<const char*>(file.data()), file.size());
   const auto size = sizeInHeader(bytes);
-  if (size && static_cast<double>(size->x) * size->y > static_cast<double>(mostPixels))
+  if (size && static_cast<double>(size->x) * size->y > static_cast<double>(maxPixels))
     fail(ExitCode::inputOutput, "the image {} is {}x{}, more than {} million pixels", name, size->x,
-         size->y, mostPixels / 1'000'000);
+         size->y, maxPixels / 1'000'000);
   try {
     auto picture = sim::decodePlainPng(bytes, largestSideOfAll);
     if (!picture) picture = sim::decodePicture(bytes, name, "image", size ? largestSideOfAll : largestSide);

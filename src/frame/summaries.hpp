@@ -13,12 +13,12 @@ inline void checkState(sim::World& world) {
 }
 
 /// Pipelines the state summaries of a world. Keeps as many summaries in flight as the world allows, so that
-/// the device never waits. Passes each summary to `take` in frame order. Throws UserError(device) if a
+/// the device never waits. Passes each summary to `callback` in frame order. Throws UserError(device) if a
 /// simulation lost its state.
 class Summaries {
  public:
-  using Take = std::function<void(const sim::World::Summary& summary)>;
-  Summaries(sim::World& world, Take take) : world_(world), take_(std::move(take)) {}
+  using Callback = std::function<void(const sim::World::Summary& summary)>;
+  Summaries(sim::World& world, Callback callback) : world_(world), callback_(std::move(callback)) {}
 
   /// Starts the summary of the current frame. If the max number of summaries is in flight, waits for the
   /// oldest first.
@@ -31,7 +31,7 @@ class Summaries {
     SIMREEL_CHECK(underWay_ > 0);
     --underWay_;  // Decrements first, because the world drops the summary of a lost state, too.
     const auto summary = world_.takeSummary(true);
-    take_(*summary);
+    callback_(*summary);
   }
   void takeAll() {
     while (underWay_ > 0) takeOldest();
@@ -39,7 +39,7 @@ class Summaries {
 
  private:
   sim::World& world_;
-  Take take_;
+  Callback callback_;
   int underWay_ = 0;
 };
 

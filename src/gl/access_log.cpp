@@ -28,30 +28,30 @@ Time together = 0;  ///< start time of the current AccessTogether object; 0 if n
 /// by a multiple of 65,536 share a stamp, and a new object inherits the stamp of a deleted object with the
 /// same name. Both cases cause at most one unneeded barrier.
 Stamp& stampOf(AccessLog::Memory memory) {
-  constexpr std::size_t most = 1 << 16;
+  constexpr std::size_t maximum = 1 << 16;
   static std::vector<Stamp> stamps[2];
   std::vector<Stamp>& all = stamps[memory.texture ? 1 : 0];
-  const std::size_t index = memory.name % most;
+  const std::size_t index = memory.name % maximum;
   if (index >= all.size()) all.resize(index + 64);
   return all[index];
 }
 
 }  // namespace
 
-GLbitfield AccessLog::needed(Memory memory, GLbitfield kind, Way way) {
+GLbitfield AccessLog::needed(Memory memory, GLbitfield kind, AccessKind way) {
   std::size_t index = 0;
   while (kinds[index] != kind) ++index;
   const Stamp& stamp = stampOf(memory);
   const Time last = lastBarrier[index];
   const auto due = [&](Time access) { return access > last && (together == 0 || access < together); };
-  const bool any = due(stamp.written) || (way != Way::read && due(stamp.read)) ||
-                   (way != Way::together && due(stamp.together));
+  const bool any = due(stamp.written) || (way != AccessKind::read && due(stamp.read)) ||
+                   (way != AccessKind::together && due(stamp.together));
   return any ? kind : 0;
 }
 
-void AccessLog::note(Memory memory, Way way) {
+void AccessLog::note(Memory memory, AccessKind way) {
   Stamp& stamp = stampOf(memory);
-  (way == Way::read ? stamp.read : way == Way::write ? stamp.written : stamp.together) = now;
+  (way == AccessKind::read ? stamp.read : way == AccessKind::write ? stamp.written : stamp.together) = now;
 }
 
 void AccessLog::barrier(GLbitfield bits) {

@@ -19,14 +19,14 @@ class AccessLog {
 
   /// Type of access. `together` means reads and writes whose order relative to each other does not matter
   /// (gl::Shared).
-  enum class Way { read, write, together };
+  enum class AccessKind { read, write, together };
 
   /// Returns the barrier bits that must be issued before an access of `memory` through `kind` (one bit of
   /// glMemoryBarrier), or 0 if no barrier is needed. An access waits for all earlier accesses of the other
   /// two types. A write also waits for earlier writes.
-  [[nodiscard]] static GLbitfield needed(Memory memory, GLbitfield kind, Way way);
+  [[nodiscard]] static GLbitfield needed(Memory memory, GLbitfield kind, AccessKind way);
   /// Records an access that the next dispatch makes.
-  static void note(Memory memory, Way way);
+  static void note(Memory memory, AccessKind way);
   /// Calls glMemoryBarrier and records the barrier.
   static void barrier(GLbitfield kinds);
 };

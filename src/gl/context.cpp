@@ -267,8 +267,9 @@ struct Context::State {
   std::optional<Display> display;
   DeviceInfo device;
   std::string reason;
-  std::string message;   ///< first high-severity debug message not yet reported
-  bool unheard = false;  ///< true if a high-severity message could not be stored, because memory was short
+  std::string message;  ///< first high-severity debug message not yet reported
+  bool unreported =
+      false;  ///< true if a high-severity message could not be stored, because memory was short
 
   static void GLAPIENTRY receive(GLenum /*source*/, GLenum /*type*/, GLuint /*id*/, GLenum severity,
                                  GLsizei length, const GLchar* text, const void* user) {
@@ -281,7 +282,7 @@ struct Context::State {
       detail("GL: {}", line);
     } catch (...) {  // An exception must not leave this callback, because the driver holds locks while it
                      // calls it.
-      state->unheard = state->unheard || severity == GL_DEBUG_SEVERITY_HIGH;
+      state->unreported = state->unreported || severity == GL_DEBUG_SEVERITY_HIGH;
     }
   }
 
@@ -386,7 +387,7 @@ const std::string& Context::reason() const {
 }
 
 void Context::check() const {
-  if (std::exchange(state_->unheard, false) && state_->message.empty())
+  if (std::exchange(state_->unreported, false) && state_->message.empty())
     fail(ExitCode::device, "the driver reported an error, and there is not enough memory for its message");
   if (state_->message.empty()) return;
   const std::string message = std::exchange(state_->message, {});

@@ -65,8 +65,8 @@ std::size_t driverThreads() {
 void chooseDriverThreads() {
   // llvmpipe starts `threads` threads for drawing and the same number for compute, at most 32 each. The
   // program's own threads must be added.
-  constexpr std::size_t most = 32;
-  const std::size_t processors = std::clamp<std::size_t>(processorCount() / sharers, 1, most);
+  constexpr std::size_t maximum = 32;
+  const std::size_t processors = std::clamp<std::size_t>(processorCount() / sharers, 1, maximum);
   const auto needed = [&](std::size_t threads) { return 2 * threads + processors + 4; };
   // The program reserves 1.4 GB of address space on 4 processors with one driver thread each, most of it
   // for thread stacks.
@@ -85,7 +85,7 @@ void chooseDriverThreads() {
   // processor is enough, because a process runs while another waits. On a single processor, a driver thread
   // next to the waiting main thread costs a tenth of the time, so none is used.
   if (sharers > 1) return setThreads(processors == 1 ? 0 : processors);
-  const std::size_t parts = std::min(2 * processors, most);
+  const std::size_t parts = std::min(2 * processors, maximum);
   const bool room = !addressSpaceBelow(rlim_t{16} << 30) && canStart(needed(parts));
   setThreads(room ? parts : processors);
 }

@@ -36,7 +36,7 @@ bool storeInLargePages(GLuint buffer, std::size_t bytes) {
   if (memory == nullptr) return false;
   constexpr std::size_t page = 1 << 16;
   const std::size_t whole = (bytes + page - 1) / page * page;
-  const int file = memory->lend(whole);
+  const int file = memory->exportMemory(whole);
   if (file < 0) return false;
   GLuint lent = 0;
   glCreateMemoryObjectsEXT(1, &lent);

@@ -64,9 +64,9 @@ void LinkedProgram::compiledFor(const char* what, double seconds) const {
   constexpr double fromCache = 0.005;
   if (seconds > fromCache) detail("shaders: {} took {:.0f} ms to {}", label_, 1000 * seconds, what);
   static double total = 0;
-  static bool told = false;
+  static bool warned = false;
   if (seconds > fromCache) total += seconds;
-  if (total < 1 || std::exchange(told, true)) return;
+  if (total < 1 || std::exchange(warned, true)) return;
   if (::isatty(STDERR_FILENO) != 0)
     info("the driver is compiling shaders, which takes some seconds the first time; later runs reuse them");
 }

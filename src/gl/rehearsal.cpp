@@ -34,17 +34,17 @@ bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program) {
 bool Rehearsal::note(const std::shared_ptr<LinkedProgram>& program, const BoundViews& given) {
   if (current == nullptr) return false;
   // Stops a loop that waits for a kernel's result, because kernels do not run in a rehearsal.
-  constexpr int most = 20000;
-  if (++current->noted_ > most)
-    fail(ExitCode::device, "internal error: a compile-ahead run recorded more than {} dispatches", most);
+  constexpr int maximum = 20000;
+  if (++current->noted_ > maximum)
+    fail(ExitCode::device, "internal error: a compile-ahead run recorded more than {} dispatches", maximum);
   if (program->linked()) return true;
   auto& kernels = current->kernels_;
   auto found = std::find_if(kernels.begin(), kernels.end(),
                             [&](const Kernel& kernel) { return kernel.program == program; });
   if (found == kernels.end()) found = kernels.insert(kernels.end(), {program, {}});
   // Max number of recorded dispatches per kernel. Later dispatches mostly have the same bindings.
-  constexpr std::size_t mostUses = 4;
-  if (found->uses.size() < mostUses) found->uses.push_back(given);
+  constexpr std::size_t maxUses = 4;
+  if (found->uses.size() < maxUses) found->uses.push_back(given);
   return true;
 }
 

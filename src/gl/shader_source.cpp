@@ -117,12 +117,12 @@ namespace {
 /// unused define would cause needless compilations.
 Defines mentioned(const std::string& files, const Defines& defines) {
   Defines result;
-  const auto asks = [](const std::string& name) {
+  const auto matches = [](const std::string& name) {
     return [&name](const auto& define) { return mentions(define.second, name); };
   };
   for (const auto& define : defines)
     if (define.first != extensionDefine &&
-        (mentions(files, define.first) || std::ranges::any_of(defines, asks(define.first))))
+        (mentions(files, define.first) || std::ranges::any_of(defines, matches(define.first))))
       result.push_back(define);
   return result;
 }

@@ -53,11 +53,11 @@ Texture Texture::image(const std::string& label, GLenum format, int width, int h
 Texture Texture::layered(const std::string& label, GLenum format, int width, int height, int depth,
                          bool array) {
   checkSize(label, width, height);
-  GLint most = 0;
-  glGetIntegerv(array ? GL_MAX_ARRAY_TEXTURE_LAYERS : GL_MAX_3D_TEXTURE_SIZE, &most);
-  if (depth > most || (!array && std::max(width, height) > most))
+  GLint maximum = 0;
+  glGetIntegerv(array ? GL_MAX_ARRAY_TEXTURE_LAYERS : GL_MAX_3D_TEXTURE_SIZE, &maximum);
+  if (depth > maximum || (!array && std::max(width, height) > maximum))
     fail(ExitCode::device, "{} of {} x {} x {} texels is beyond this device's limit of {} ({})", label,
-         width, height, depth, most, array ? "GL_MAX_ARRAY_TEXTURE_LAYERS" : "GL_MAX_3D_TEXTURE_SIZE");
+         width, height, depth, maximum, array ? "GL_MAX_ARRAY_TEXTURE_LAYERS" : "GL_MAX_3D_TEXTURE_SIZE");
   Texture texture;
   texture.handle_ =
       Handle<DeleteTexture>(createTexture(array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_3D, label));

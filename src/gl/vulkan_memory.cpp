@@ -124,7 +124,7 @@ std::unique_ptr<VulkanMemory> VulkanMemory::of(const Uuid& device) {
   return std::unique_ptr<VulkanMemory>(new VulkanMemory(std::move(opened)));
 }
 
-int VulkanMemory::lend(std::size_t bytes) const {
+int VulkanMemory::exportMemory(std::size_t bytes) const {
   VkExportMemoryAllocateInfo exported{};
   exported.sType = VK_STRUCTURE_TYPE_EXPORT_MEMORY_ALLOCATE_INFO;
   exported.handleTypes = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;

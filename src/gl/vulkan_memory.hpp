@@ -23,7 +23,7 @@ class VulkanMemory {
 
   /// Returns a file descriptor for `bytes` bytes of GPU memory, or a negative number if there is not enough
   /// memory. The memory is freed when no object uses it any more.
-  [[nodiscard]] int lend(std::size_t bytes) const;
+  [[nodiscard]] int exportMemory(std::size_t bytes) const;
 
  private:
   struct Device;

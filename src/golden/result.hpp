@@ -87,8 +87,8 @@ struct FrameResult {
   /// number of the closest accepted alternate, from 1; 0 means the baseline itself
   int alternate = 0;
   std::string state;  ///< "equal", "different", "missing" or "not compared"
-  /// How closely the pixels had to match: askedName() in golden/baseline/origin.hpp. Empty if there is no
-  /// baseline.
+  /// How closely the pixels had to match: requiredMatchName() in golden/baseline/origin.hpp. Empty if there
+  /// is no baseline.
   std::string asked;
   std::optional<Metrics> metrics;  ///< differences; empty unless the pictures were compared pixel by pixel
   /// place of the first difference, if an exact picture fails although the state is equal

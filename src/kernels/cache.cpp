@@ -23,7 +23,7 @@ namespace simreel::kernels {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::uintmax_t mostBytes = std::uintmax_t{64} << 20;
+constexpr std::uintmax_t byteLimit = std::uintmax_t{64} << 20;
 
 std::string variable(const char* name) {
   const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing sets variables
@@ -75,7 +75,7 @@ void removeOldest(const fs::path& from) {
   }
   std::sort(entries.begin(), entries.end());
   for (const auto& [time, path] : entries) {
-    if (bytes <= mostBytes) return;
+    if (bytes <= byteLimit) return;
     bytes -= fs::file_size(path, error);
     fs::remove(path, error);
   }

@@ -93,7 +93,7 @@ Kernel lowered(Files& files, const Unit& unit, const Request& request) {
   Module module = prepared(files, unit, request, report);
   const bool hlsl = unit.language == Language::hlsl;
   if (auto mistakes = beyondShared(module, files, unit.line); !mistakes.empty()) files.fail(mistakes);
-  const unsigned axes = numberedAxes(module);
+  const unsigned axes = axesRead(module);
   if (auto mistakes = readPrevious(module, files, hlsl, request.previous); !mistakes.empty())
     files.fail(mistakes);
   if (!request.fast) keepInside(module, report);
@@ -210,7 +210,7 @@ std::vector<std::string> kernelNames(const Request& request) {
 }
 
 Shader load(const Request& request) {
-  constexpr Allotment allotment{std::size_t{2} << 30, 120};
+  constexpr ProcessLimits allotment{std::size_t{2} << 30, 120};
   if (auto known = cachedShader(request)) return *known;
   try {
     Shader shader = fromJson(runIsolated(allotment, [&] { return toJson(loadHere(request)); }));

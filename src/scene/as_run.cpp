@@ -87,7 +87,7 @@ bool isDamped(const Node& group) {
 
 /// Reduces the scene's camera to the members that determine its lag, which is carried from frame to frame:
 /// a damped "target", "track" or "follow". Removes a camera without damping.
-void leaveLag(Node& root) {
+void keepOnlyLag(Node& root) {
   Node* camera = root.find("camera");
   if (camera == nullptr) return;
   if (camera->kind == Node::Kind::object && isDamped(*camera)) {
@@ -131,7 +131,7 @@ std::string simulationHash(std::string_view asRun) {
   if (!root) fail(ExitCode::usage, "the scene as run is no JSON");
   for (const std::string_view key : drawingMembers)
     if (key != "camera") remove(*root, key);
-  leaveLag(*root);
+  keepOnlyLag(*root);
   if (Node* time = root->find("time")) {
     remove(*time, "duration");
     if (time->children.empty()) remove(*root, "time");

@@ -10,15 +10,15 @@ namespace {
 /// Declares "damping", the camera's lag in seconds; 0 means no lag.
 void describeDamping(Fields& fields, double& damping, const char* what) {
   fields.number("damping", damping, {0, 1000}, "s", what);
-  constexpr double least = 1e-3;
-  if (damping > 0 && damping < least)
-    fields.error("damping",
-                 fmt::format("a damping of {:g} s is too short; give 0, or at least {} s", damping, least));
+  constexpr double minimum = 1e-3;
+  if (damping > 0 && damping < minimum)
+    fields.error("damping", fmt::format("a damping of {:g} s is too short; give 0, or at least {} s",
+                                        damping, minimum));
 }
 
 /// Warns if the target of a stationary camera lies outside the camera's near and far distance, because the
 /// target is then not drawn.
-void remarkReach(Fields& fields, const Camera& camera) {
+void warnOutsideDepthRange(Fields& fields, const Camera& camera) {
   const bool placed = fields.given("position") || (fields.given("target") && fields.version() == 1);
   if (camera.follow || camera.track || camera.gltf || camera.orbit || !placed || camera.position.moves() ||
       camera.target.moves())
@@ -74,7 +74,7 @@ void Lens::describe(Fields& fields) {
   fields.number("fNumber", fNumber, {0.01, 1000}, "",
                 "Focal length over the diameter of the opening; the smaller, the more is blurred. The "
                 "focal length is the one for a picture 24 mm high: 33 mm at 40 degrees.");
-  fields.onlyGiven("focus", focus, Animated<float>(1.0F), [&](Animated<float>& distance) {
+  fields.optionalValue("focus", focus, Animated<float>(1.0F), [&](Animated<float>& distance) {
     fields.number("focus", distance, {0.001, 1e6}, "m",
                   "Distance along the line of sight at which the picture is sharp.");
   });
@@ -196,7 +196,7 @@ void Camera::describe(Fields& fields) {
   if (!(near < far))
     fields.error(fields.given("near") ? "near" : "far",
                  fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));
-  remarkReach(fields, *this);
+  warnOutsideDepthRange(fields, *this);
   if (!aimed && !orbit && !track && !gltf && !position.moves() && !target.moves() &&
       position.at(0) == target.at(0))
     fields.error(

@@ -6,9 +6,9 @@
 namespace simreel::scene {
 
 /// Interface of the parameters of objects that define a finish.
-class Dressed {
+class HasFinish {
  public:
-  virtual ~Dressed() = default;
+  virtual ~HasFinish() = default;
   /// Returns the finish that the object has on a stage: roughness, translucency, sheen, clear coat, and
   /// normals with their `textureScale`. Keys of the scene's material override parts of this finish. Returns
   /// nullopt if the object uses the finish of the stage.

@@ -43,8 +43,8 @@ void Finish::describe(Fields& fields) {
                "Colour that white light has after \"attenuationDistance\" in the solid, linear RGB.");
   fields.number("attenuationDistance", attenuationDistance, positive, "m",
                 "Distance in the solid after which white light has \"attenuationColor\".");
-  const auto needs = [&](const char* name, bool there, const char* what) {
-    if (fields.given(name) && !there)
+  const auto needs = [&](const char* name, bool present, const char* what) {
+    if (fields.given(name) && !present)
       fields.error(name, fmt::format("\"{}\" is for a material with {}", name, what));
   };
   needs("normalStrength", !normals.empty(), "a \"normalMap\"");

@@ -45,7 +45,7 @@ void addEllipsoid(const Box& box, std::vector<glm::vec3>& points) {
 
 /// Orientation and angles of view of a camera. `back` is the unit vector from target to camera. `wide` and
 /// `high` are the tangents of the half angles of view.
-struct Look {
+struct ViewAxes {
   glm::vec3 back, right, up;
   float wide, high;
 };
@@ -53,7 +53,7 @@ struct Look {
 /// Returns the smallest camera distance from `target` at which all points are in the picture. A point c
 /// relative to the target is in the picture from distance d if |c . up| <= high (d - c . back), and
 /// likewise for `right`.
-float distanceOf(const Look& look, const glm::vec3& target, const std::vector<glm::vec3>& points) {
+float distanceOf(const ViewAxes& look, const glm::vec3& target, const std::vector<glm::vec3>& points) {
   float distance = 0;
   for (const glm::vec3& point : points) {
     const glm::vec3 from = point - target;
@@ -66,7 +66,7 @@ float distanceOf(const Look& look, const glm::vec3& target, const std::vector<gl
 
 /// Returns the target moved sideways so that opposite margins around the points are equal. Uses a few
 /// iterations, so the result is approximate.
-glm::vec3 centred(const Look& look, glm::vec3 target, const std::vector<glm::vec3>& points) {
+glm::vec3 centred(const ViewAxes& look, glm::vec3 target, const std::vector<glm::vec3>& points) {
   constexpr int looks = 4;
   for (int i = 0; i < looks; ++i) {
     const float distance = distanceOf(look, target, points);
@@ -103,18 +103,18 @@ bool hasPoints(const std::vector<Framed>& framed) {
 
 constexpr float stageLens = 26.0F;  // vertical angle of view on a stage, in degrees
 /// Returns the fraction of the picture's width and height that the objects may fill.
-float taken(const Scene& scene) {
+float filledFraction(const Scene& scene) {
   return scene.staged ? 0.8F : 0.92F;
 }
 
 /// Returns the view from direction `back`, with tangents reduced by taken() to leave a margin.
-Look lookFrom(const glm::vec3& back, const Scene& scene) {
-  Look look{};
+ViewAxes lookFrom(const glm::vec3& back, const Scene& scene) {
+  ViewAxes look{};
   const float half = 0.5F * glm::radians(scene.camera.fieldOfView.at(0));
   look.back = back;
   look.right = glm::normalize(glm::vec3(back.z, 0, -back.x));
   look.up = glm::normalize(glm::vec3(0, 1, 0) - back * back.y);
-  look.high = taken(scene) * static_cast<float>(ieee::tan(static_cast<double>(half)));
+  look.high = filledFraction(scene) * static_cast<float>(ieee::tan(static_cast<double>(half)));
   const glm::ivec2 size = viewSize(scene);
   look.wide = look.high * static_cast<float>(size.x) / static_cast<float>(size.y);
   return look;
@@ -122,7 +122,7 @@ Look lookFrom(const glm::vec3& back, const Scene& scene) {
 
 /// Gives an orthographic camera the view height that a perspective camera shows at `distance`. Does nothing
 /// if the scene gives the height.
-void showAsMuch(Camera& camera, float distance) {
+void matchViewHeight(Camera& camera, float distance) {
   if (camera.projection != Projection::orthographic || camera.hasHeight) return;
   const double half = 0.5 * static_cast<double>(glm::radians(camera.fieldOfView.at(0)));
   camera.height = 2 * distance * static_cast<float>(ieee::tan(half));
@@ -136,7 +136,7 @@ void reach(Camera& camera, float distance, float nearest, bool staged) {
 /// Returns the point at which the scene aims the camera. This is the scene's target, or the centre of the
 /// extent that the tracked object has over its whole motion. Returns nullopt if the scene gives neither a
 /// target nor a tracked object.
-std::optional<glm::vec3> aimOf(const Scene& scene) {
+std::optional<glm::vec3> aimPoint(const Scene& scene) {
   const Camera& camera = scene.camera;
   if (camera.aimed) return camera.target.at(0);
   if (!camera.track) return std::nullopt;
@@ -153,7 +153,7 @@ void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
   const Box box = boxAround(framed);
-  const glm::vec3 target = aimOf(scene).value_or(0.5F * (box.min + box.max));
+  const glm::vec3 target = aimPoint(scene).value_or(0.5F * (box.min + box.max));
   const std::vector<glm::vec3> points = pointsOf(framed);
   constexpr int turns = 24;
   constexpr double radiansPerDegree = 0.017453292519943295;
@@ -169,7 +169,7 @@ void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
     }
   camera.target = target;
   camera.orbit->distance = distance;
-  showAsMuch(camera, distance);
+  matchViewHeight(camera, distance);
   reach(camera, distance, nearest, scene.staged);
 }
 
@@ -213,8 +213,8 @@ void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   if (camera.orbit) return frameOrbit(scene, framed);
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
   const Box box = boxAround(framed);
-  const Look look = lookFrom(scene.staged ? stageBack(box) : backFrom(box), scene);
-  const std::optional<glm::vec3> aim = aimOf(scene);
+  const ViewAxes look = lookFrom(scene.staged ? stageBack(box) : backFrom(box), scene);
+  const std::optional<glm::vec3> aim = aimPoint(scene);
   glm::vec3 target = aim.value_or(0.5F * (box.min + box.max));
   std::vector<glm::vec3> points;
   if (scene.staged || hasPoints(framed)) {
@@ -228,7 +228,7 @@ void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   const float distance = distanceOf(look, target, points);
   if (!camera.aimed) camera.target = target;
   camera.position = target + distance * look.back;
-  showAsMuch(camera, distance);
+  matchViewHeight(camera, distance);
   reach(camera, distance, nearest, scene.staged);
 }
 

@@ -10,7 +10,7 @@
 
 namespace simreel::scene {
 
-void remarkHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics) {
+void warnHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics) {
   if (const std::string advice = groundAdvice(scene); !advice.empty())
     diagnostics.remark(root.find("ground")->headPlace(), advice);
   const auto cover = std::find_if(scene.objects.begin(), scene.objects.end(), [](const Object& object) {

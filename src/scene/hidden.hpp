@@ -7,6 +7,6 @@ namespace simreel::scene {
 
 /// Warns if the ground given by the scene, or an object drawn over the whole picture, hides other objects.
 /// `root`: the scene's JSON tree.
-void remarkHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics);
+void warnHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace simreel::scene

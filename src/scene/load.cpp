@@ -34,7 +34,7 @@ namespace {
 
 /// Gives an object the default skin that its parameters name, if any.
 void giveSkin(Object& object) {
-  const auto* papered = dynamic_cast<const Papered*>(object.parameters.get());
+  const auto* papered = dynamic_cast<const HasFieldSkin*>(object.parameters.get());
   const std::string field = papered == nullptr ? "" : papered->fieldShown(object.name);
   if (field.empty() || object.material.skin) return;
   object.material.skin.emplace();
@@ -337,7 +337,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
           root.find("stage") != nullptr ? root.find("stage")->headPlace() : root.headPlace(), advice);
     frameObjects(scene, framed);
     openFloor(scene);
-    remarkHidden(root, scene, context.diagnostics);
+    warnHidden(root, scene, context.diagnostics);
   }
   fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},
                     "\"quality\": \"standard\"");
@@ -348,7 +348,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
 }
 
 /// Inputs for reading a scene, in addition to the scene's text.
-struct With {
+struct LoadInputs {
   std::span<const Override> overrides;
   const Kinds& kinds;
   std::span<const std::filesystem::path> folders;
@@ -369,7 +369,7 @@ std::string contentHash(const std::filesystem::path& file) {
 /// Reads a scene from its text. `sidecar`: text of the sidecar; null if the file does not exist or is not
 /// needed.
 Scene parse(std::string_view text, const std::filesystem::path& file, const std::string* sidecar,
-            const With& with, bool heldToLength) {
+            const LoadInputs& with, bool heldToLength) {
   Sources sources{file.string(), sidecarOf(file).string(), 0};
   Diagnostics diagnostics(sources.file, text);
   const AssetFolders assets(file, with.folders, assetFolder());
@@ -423,7 +423,7 @@ std::filesystem::path sidecarOf(const std::filesystem::path& sceneFile) {
 Scene loadTestScene(const std::filesystem::path& file, std::span<const Override> overrides,
                     const Kinds& kinds, std::span<const std::filesystem::path> folders) {
   const auto [text, name] = readSceneSource(file, kinds);
-  const With with{overrides, kinds, folders};
+  const LoadInputs with{overrides, kinds, folders};
   const std::filesystem::path beside = sidecarOf(file);
   if (file == "-" || !pathExists(beside)) return parse(text, name, nullptr, with, true);
   const std::string sidecar = readFile(beside, "test settings", maxSceneBytes);

@@ -169,10 +169,11 @@ void Render::describe(Fields& fields) {
       "tone", tone, {"aces", "agx", "filmic", "plain"},
       "Tone curve from light to the picture. aces: high contrast; agx: bright colours fade softly to "
       "white; filmic: a gentle shoulder; plain: no curve, light above white is cut off.");
-  fields.onlyGiven("whiteBalance", whiteBalance, Animated<float>(6504.0F), [&](Animated<float>& kelvin) {
-    fields.number("whiteBalance", kelvin, blackBodyRange, "K",
-                  "Light of a black body of this temperature is shown as white.");
-  });
+  fields.optionalValue("whiteBalance", whiteBalance, Animated<float>(6504.0F),
+                       [&](Animated<float>& kelvin) {
+                         fields.number("whiteBalance", kelvin, blackBodyRange, "K",
+                                       "Light of a black body of this temperature is shown as white.");
+                       });
   fields.leftOut("whiteBalance", "none: light is shown as it is");
   fields.boolean("transparent", transparent,
                  "Leaves out the background: pictures get an alpha channel (straight, not premultiplied) "
@@ -206,7 +207,7 @@ void Panel::describe(Fields& fields) {
         "camera",
         "a panel's camera stands at a \"position\" or goes round in an \"orbit\" with a "
         "\"distance\"; \"follow\", \"track\", \"gltf\" and \"damping\" are for the scene's camera");
-  fields.onlyGiven("overlay", overlay, Overlay::none, [&](Overlay& shown) {
+  fields.optionalValue("overlay", overlay, Overlay::none, [&](Overlay& shown) {
     fields.choice("overlay", shown, overlayWords, "Property that the panel shows instead of light.");
   });
   fields.leftOut("overlay", "that of \"render\"");

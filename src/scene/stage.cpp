@@ -41,17 +41,17 @@ StageLook lookOf(const Scene& scene) {
   StageLook look = stageLook(scene.stage.preset, anyIs(Parameters::Looks::shining, scene));
   if (scene.stage.backdrop) {
     look.floor = look.horizon = look.zenith = *scene.stage.backdrop;
-    look.most = 1;
+    look.maximum = 1;
   }
   return look;
 }
 
 /// Returns the height for a ground with which objects collide. This is the lowest point of all objects at
 /// the start. Returns infinity if the scene has only particles that fall from above.
-std::optional<float> groundBelow(const Scene& scene) {
+std::optional<float> stageGroundHeight(const Scene& scene) {
   std::optional<float> lowest;
   for (const Object& object : scene.objects) {
-    std::optional<float> foot = object.parameters->footing();
+    std::optional<float> foot = object.parameters->supportHeight();
     if (const auto box = object.parameters->framed(); box && !foot) foot = box->min.y;
     if (foot) lowest = std::min(lowest.value_or(*foot), *foot);
   }
@@ -59,7 +59,7 @@ std::optional<float> groundBelow(const Scene& scene) {
 }
 
 /// Returns the height of a floor slightly below all objects, so that no object touches it.
-float floorBelow(const std::vector<Framed>& framed) {
+float floorHeight(const std::vector<Framed>& framed) {
   const Box box = boxAround(framed);
   const float radius = std::max(0.5F * glm::length(box.max - box.min), 1e-3F);
   const bool flat = box.max.y - box.min.y < 0.02F * radius;
@@ -69,7 +69,7 @@ float floorBelow(const std::vector<Framed>& framed) {
 /// Adds those parts of the object's finish `own` to a material that the scene's material leaves out.
 /// `pictured`: true if the material has an image, whose scale would also apply to the normals of `own`.
 template <class Leaves>
-void wear(const Material& own, const Leaves& leaves, bool pictured, Material& material) {
+void fillInFinish(const Material& own, const Leaves& leaves, bool pictured, Material& material) {
   Finish& finish = material.finish;
   if (leaves("roughness")) material.roughness = own.roughness;
   if (leaves("translucency")) material.translucency = own.translucency;
@@ -87,7 +87,7 @@ void wear(const Material& own, const Leaves& leaves, bool pictured, Material& ma
 }
 
 /// Gives an object the colour and finish that the scene's material does not give.
-void dress(Object& object, std::size_t number, const Stage& stage, const StageLook& look) {
+void fillInMaterial(Object& object, std::size_t number, const Stage& stage, const StageLook& look) {
   Material& material = object.material;
   const auto leaves = [&](const char* key) { return !object.materialKeys.contains(key); };
   const Parameters::Looks looks = object.parameters->looks();
@@ -95,7 +95,7 @@ void dress(Object& object, std::size_t number, const Stage& stage, const StageLo
   const bool clear = material.finish.transmission > 0;
   const bool pictured =
       material.skin.has_value() || !material.texture.empty() || !material.finish.color.empty();
-  const auto* tinted = dynamic_cast<const Tinted*>(object.parameters.get());
+  const auto* tinted = dynamic_cast<const HasTint*>(object.parameters.get());
   const std::optional<glm::vec3> tint = tinted != nullptr ? tinted->tint() : std::nullopt;
   const auto colors = stageColors(stage.palette == Stage::Palette::preset ? look.palette : stage.palette);
   if (leaves("color"))
@@ -105,9 +105,9 @@ void dress(Object& object, std::size_t number, const Stage& stage, const StageLo
                                                            : colors[number % colors.size()];
   if (leaves("roughness")) material.roughness = clear ? 0.02F : cloth || tint ? 0.7F : 0.38F;
   if (leaves("translucency")) material.translucency = tint ? 0.3F : cloth ? 0.2F : 0.0F;
-  const auto* dressed = dynamic_cast<const Dressed*>(object.parameters.get());
+  const auto* dressed = dynamic_cast<const HasFinish*>(object.parameters.get());
   if (const auto own = dressed != nullptr ? dressed->look() : std::nullopt; own && !material.skin && !clear)
-    wear(*own, leaves, pictured, material);
+    fillInFinish(*own, leaves, pictured, material);
 }
 
 /// True if the camera is below the ground at time 0. False for cameras on paths and for cameras from files.
@@ -132,7 +132,7 @@ void Stage::describe(Fields& fields) {
       "Light and background. true: studio, or night for objects that glow; false: no stage.");
   fields.choice("palette", palette, {"preset", "vivid", "earth", "pastel", "grey", "ocean", "neon"},
                 "Colours of objects without a \"color\". preset: as the preset has it.");
-  fields.onlyGiven("backdrop", backdrop, glm::vec3(0.5F), [&](glm::vec3& color) {
+  fields.optionalValue("backdrop", backdrop, glm::vec3(0.5F), [&](glm::vec3& color) {
     fields.color("backdrop", color, notNegative, "Colour of floor and background, linear RGB.");
   });
   fields.leftOut("backdrop", "the preset's");
@@ -157,11 +157,11 @@ void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
     if (stage.leaves("ground")) scene.ground->visible = !scene.render.transparent;
     if (stage.leaves("ground.height")) {
       const bool flows = std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
-        return object.parameters->footing().has_value();
+        return object.parameters->supportHeight().has_value();
       });
       const std::optional<float> ground =
-          stage.leaves("ground") || !flows ? std::nullopt : groundBelow(scene);
-      scene.ground->height = ground && std::isfinite(*ground) ? *ground : floorBelow(framed);
+          stage.leaves("ground") || !flows ? std::nullopt : stageGroundHeight(scene);
+      scene.ground->height = ground && std::isfinite(*ground) ? *ground : floorHeight(framed);
     }
   }
   const bool lit = std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
@@ -169,10 +169,10 @@ void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
   });
   addStageLamps(scene, look, version > 1 && lit);
   moveStage(scene, framed);
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) dress(scene.objects[i], i, stage, look);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) fillInMaterial(scene.objects[i], i, stage, look);
   if (version == 1 || luminance(look.floor) < inkedDark) return;
   for (Object& object : scene.objects)
-    if (auto* inked = dynamic_cast<Inked*>(object.parameters.get())) inked->ink(darkInk);
+    if (auto* inked = dynamic_cast<HasInk*>(object.parameters.get())) inked->ink(darkInk);
 }
 
 std::string stageAdvice(const Scene& scene) {
@@ -225,7 +225,7 @@ void moveStage(Scene& scene, const std::vector<Framed>& framed) {
 
   if (scene.ground) {
     Ground& ground = *scene.ground;
-    if (!ground.solid) ground.height = floorBelow(framed);
+    if (!ground.solid) ground.height = floorHeight(framed);
     supply("ground.fadeStart", ground.fadeStart, 2.0F * radius);
     supply("ground.fadeEnd", ground.fadeEnd, std::max(look.reach * radius, 1.01F * ground.fadeStart));
     if (!stage.leaves("ground.fadeEnd"))
@@ -234,7 +234,7 @@ void moveStage(Scene& scene, const std::vector<Framed>& framed) {
     // glsl/draw.
     const glm::vec3 fill = look.ambient * glm::mix(look.zenith, look.horizon, 0.3F);
     const glm::vec3 direct = look.keyColor * (look.key * 0.31830989F * key.y);
-    supply("ground.color", ground.color, glm::min(look.floor / (fill + direct), glm::vec3(look.most)));
+    supply("ground.color", ground.color, glm::min(look.floor / (fill + direct), glm::vec3(look.maximum)));
   }
 
   moveStageLamps(scene, look, {middle, radius, back, right});

@@ -15,12 +15,12 @@ constexpr const char* fillName = "fill";
 constexpr const char* softboxName = "softbox";
 
 /// Returns true if the scene does not give a lamp with this name, so that the stage supplies it.
-bool isOwn(const Scene& scene, const std::string& name) {
+bool isSuppliedByStage(const Scene& scene, const std::string& name) {
   return scene.stage.leaves("lights." + name);
 }
 
 void add(Scene& scene, const char* name, Light::Type type) {
-  if (!isOwn(scene, name) || scene.lights.size() >= maxLights) return;
+  if (!isSuppliedByStage(scene, name) || scene.lights.size() >= maxLights) return;
   Light& lamp = scene.lights.emplace_back();
   lamp.name = name;
   lamp.type = type;
@@ -76,7 +76,7 @@ void addStageLamps(Scene& scene, const StageLook& look, bool soft) {
 
 void moveStageLamps(Scene& scene, const StageLook& look, const StageSpace& space) {
   for (Light& lamp : scene.lights) {
-    if (!isOwn(scene, lamp.name)) continue;
+    if (!isSuppliedByStage(scene, lamp.name)) continue;
     if (lamp.name == rimName) placeRim(lamp, isGlossy(scene), look, space);
     if (lamp.name != fillName && lamp.name != softboxName) continue;
     lamp.color = look.keyColor;

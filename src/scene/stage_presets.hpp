@@ -19,8 +19,8 @@ struct StageLook {
                       ///< camera's right, and up
   float keyDiameter;  ///< angular diameter of the key light in degrees
   glm::vec3 rimColor;
-  float rim;   ///< illuminance of the rim light in the centre of the stage, in lx
-  float most;  ///< max reflectance of the floor
+  float rim;      ///< illuminance of the rim light in the centre of the stage, in lx
+  float maximum;  ///< max reflectance of the floor
   bool hasFloor = true;
   float reach = 9.0F;  ///< distance at which the floor has faded completely, in radii of the objects
   Stage::Palette palette = Stage::Palette::vivid;

@@ -81,7 +81,7 @@ void Tolerance::describe(Fields& fields) {
 }
 
 std::string Bound::formerName() const {
-  return apart(name, '_');
+  return splitCamelCase(name, '_');
 }
 
 std::vector<Bound> Tolerance::bounds() {

@@ -39,7 +39,7 @@ Json metricsOf(const frame::Image& a, const frame::Image& b) {
                                              // spacing is half the window size
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
-      const int much = apart(a, b, x, y);
+      const int much = pixelDifference(a, b, x, y);
       squares += much * much;
       different += much > 0;
       if (much > worst) worst = much, worstX = x, worstY = y;

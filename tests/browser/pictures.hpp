@@ -35,7 +35,7 @@ inline simreel::frame::Image picture(int width, int height, double phase) {
   return image;
 }
 
-inline int apart(const simreel::frame::Image& a, const simreel::frame::Image& b, int x, int y) {
+inline int pixelDifference(const simreel::frame::Image& a, const simreel::frame::Image& b, int x, int y) {
   const auto at = (std::size_t(y) * std::size_t(a.width) + std::size_t(x)) * 4;
   int max = 0;
   for (std::size_t c = 0; c < 3; ++c) max = std::max(max, std::abs(a.bytes[at + c] - b.bytes[at + c]));
@@ -48,7 +48,7 @@ inline simreel::frame::Image difference(const simreel::frame::Image& a, const si
   simreel::frame::Image image = a;
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
-      const int much = apart(a, b, x, y);
+      const int much = pixelDifference(a, b, x, y);
       std::uint8_t* const to = &image.bytes[(std::size_t(y) * std::size_t(a.width) + std::size_t(x)) * 4];
       const auto dim = std::uint8_t((to[0] + to[1] + to[2]) / 12);
       const std::array<std::uint8_t, 3> heat = {255, std::uint8_t(std::max(0, 220 - much)), 20};

@@ -205,7 +205,7 @@ TEST_CASE("checkpoint: cloth on deforming meshes and on a body resumes identical
   CHECK(later.stateHash != at.stateHash);
   CHECK(summaryAt(resumed, 9).stateHash == later.stateHash);
   sim::World passed(scene);
-  passed.passTo(8);
+  passed.advanceUndrawn(8);
   CHECK(summaryAt(passed, 9).stateHash == later.stateHash);
   ::unsetenv("SIMREEL_ASSETS");
 }
@@ -299,7 +299,7 @@ TEST_CASE("checkpoint: a path camera with damping T lags by T seconds, also afte
     "objects": {"hall": {"cave": {"size": [80, 7], "fill": 0}}}})");
   const auto laggingAt = [](sim::World& world, int frame) {
     world.advanceTo(frame);
-    return world.drawables().lagging;
+    return world.drawables().dampedCamera;
   };
   const test::TemporaryFile place("checkpoint", "");
   sim::World whole(scene), alone(scene), resumed(scene);

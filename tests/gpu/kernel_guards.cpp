@@ -285,15 +285,18 @@ TEST_CASE("kernel guards: words of GLSL's blocks have their own shadows, matrice
   // Layout in words: 4 for the total and padding, 12 for a matrix, then 16 per body. A body has the members
   // `at` and `w`, and three rows of two numbers with padding.
   const Buffers given = {{"Values", counted(4 + 12 + 16 * 8)}};
-  const auto told = [&](const std::string& code) { return races(kernel(code), given, 2, "guards.comp"); };
-  CHECK(told("bodies[i].at = vec3(total) + bodies[(i + 1) % 8].w;") == "");
-  CHECK(told("bodies[i].turn[1][2] = 5; bodies[i].at.x = bodies[(i + 1) % 8].turn[0][2] +\n"
-             "  bodies[(i + 2) % 8].turn[1][1];") == "");
-  CHECK(told("bodies[i].turn[1][2] = i;\nbodies[i].at.x = bodies[(i + 1) % 8].turn[1][2];") ==
+  const auto racesOf = [&](const std::string& code) {
+    return races(kernel(code), given, 2, "guards.comp");
+  };
+  CHECK(racesOf("bodies[i].at = vec3(total) + bodies[(i + 1) % 8].w;") == "");
+  CHECK(racesOf("bodies[i].turn[1][2] = 5; bodies[i].at.x = bodies[(i + 1) % 8].turn[0][2] +\n"
+                "  bodies[(i + 2) % 8].turn[1][1];") == "");
+  CHECK(racesOf("bodies[i].turn[1][2] = i;\nbodies[i].at.x = bodies[(i + 1) % 8].turn[1][2];") ==
         "race-read bodies.turn:7 8 0 0 7");
-  CHECK(told("bodies[i].at.y = i;\nif (i == 2) all[1] = bodies[6].at;") == "race-read bodies.at:7 1 2 6 6");
-  CHECK(told("if (i == 3) all[1] = vec3(total); if (i == 4) total = uint(all[2].x);") == "");
-  CHECK(told("if (i == 3) all[1] = vec3(total); if (i == 4)\n  total = 7 + uint(all[1].y);") ==
+  CHECK(racesOf("bodies[i].at.y = i;\nif (i == 2) all[1] = bodies[6].at;") ==
+        "race-read bodies.at:7 1 2 6 6");
+  CHECK(racesOf("if (i == 3) all[1] = vec3(total); if (i == 4) total = uint(all[2].x);") == "");
+  CHECK(racesOf("if (i == 3) all[1] = vec3(total); if (i == 4)\n  total = 7 + uint(all[1].y);") ==
         "race-read total:6 1 3 4 0; race-read all:7 1 4 3 0");
 }
 

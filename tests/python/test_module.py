@@ -406,7 +406,7 @@ class Errors(ModuleCase):
         self.addCleanup(scene.close)
         cells = next(array for array, one in scene["life"].arrays.items() if one[1].kind == "u")
         for value in (2**40 + 5, -1):
-            with self.assertRaisesRegex(simreel.Error, "does not fit"):
+            with self.assertRaisesRegex(simreel.Error, "cannot represent"):
                 scene["life"][cells] = value
         with self.assertRaisesRegex(TypeError, r"frames\[0\] is an integer, not 1\.5"):
             scene.save(self.folder / "out", [1.5])

@@ -154,7 +154,8 @@ class Warnings(ModuleCase):
         source = ("#pragma kernel Step\nRWTexture2D<float> _Cells;\n[numthreads(8, 8, 1)]\n"
                   "void Step(uint3 id : SV_DispatchThreadID) { _Cells[id.xy] = sqrt(_Cells[id.xy] - 1); }\n")
         scene = simreel.Scene(objects={"a": {"kernels": {"source": source, "textures": {"_Cells": [8, 8]}, "step": ["Step"],
-                                                         "field": {"of": "_Cells", "show": "r"}}}})
+                                                         "field": {"of": "_Cells", "show": "r"},
+                                                         "nonFinite": "warn"}}})
         self.addCleanup(scene.close)
         return scene
 

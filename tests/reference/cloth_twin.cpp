@@ -97,7 +97,7 @@ void solveLine(Kernel& kernel, std::vector<vec4>& particles, std::vector<vec4>& 
     pins += kernel.pinsOf(first, last - first + 1);
   }
   const bool pinned = kernel.lineParticle(0).w == 0.0F && kernel.lineParticle(kernel.lineLinks).w == 0.0F;
-  kernel.lineGive = kernel.keeps ? kernel.keptGive(pins) : kernel.giveOf(stretch, pinned);
+  kernel.lineGive = kernel.keeps ? kernel.minCompliance(pins) : kernel.edgeComplianceOf(stretch, pinned);
   std::vector<Kernel::Reach> firsts, lasts;
   std::vector<Kernel::Eliminated> separators;
   struct Made {
@@ -195,7 +195,7 @@ void ClothTwin::step(double time, int threads) {
   int index = 0;
   const auto steps = plan_.frame(time);
   if (meshes) meshes->beginFrame(time, plan_.substeps(), plan_.substepSeconds());
-  ways_ = plan_.skinPins().frame(time, time + plan_.substeps() * plan_.substepSeconds());
+  pinDisplacements_ = plan_.skinPins().frame(time, time + plan_.substeps() * plan_.substepSeconds());
   for (const ClothStep& data : steps) substep(data, threads, index++);
 }
 
@@ -209,7 +209,7 @@ void ClothTwin::finish() {
 }
 
 void ClothTwin::predict(const ClothStep& data, int threads, int index) {
-  holdBySkin(ways_, index, plan_.substeps(), velocities);
+  holdBySkin(pinDisplacements_, index, plan_.substeps(), velocities);
   const bool lands = heightPlan.has_value();
   HeightGrid grid{};
   if (lands) grid = heightPlan->at(index, plan_.substeps(), plan_.parameters().margin, 0.0F);
@@ -240,7 +240,7 @@ void ClothTwin::predict(const ClothStep& data, int threads, int index) {
   } else {
     for (int round = 0; round < thinRounds; ++round) resolveThin(data);
   }
-  left_ = next;
+  predicted_ = next;
 }
 
 void ClothTwin::settle(const ClothStep& data, int index, bool again) {
@@ -257,7 +257,7 @@ void ClothTwin::settle(const ClothStep& data, int index, bool again) {
   for (std::size_t i = 0; i < next.size(); ++i) {
     Kernel::Motion m;
     if (again) {
-      m = kernel.settledAgain(positions[i], left_[i], next[i], vec3(velocities[i]), lands,
+      m = kernel.settledAgain(positions[i], predicted_[i], next[i], vec3(velocities[i]), lands,
                               walls.has_value());
     } else if (plan_.parameters().keepsEnergy()) {
       m = kernel.forced(positions[i], next[i], vec3(velocities[i]), lands, walls.has_value());
@@ -286,22 +286,23 @@ void ClothTwin::resolveThin(const ClothStep& data) {
     const auto i = static_cast<std::size_t>(index);
     return kernel.cornerOf(positions[i], next[i], velocities[i]);
   };
-  std::vector<Kernel::Fended> all;
+  std::vector<Kernel::ThinPush> all;
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
       const Kernel::Corner here = cornerAt(indexOf({x, y}));
-      Kernel::Fended sum = kernel.notFended();
+      Kernel::ThinPush sum = kernel.notPushed();
       for (int c = data.colliderCount; c < data.colliderCount + data.thinCount; ++c) {
         if (here.inverseMass == 0 || !kernel.mayMeet(c, here)) continue;
-        Kernel::Fended most = kernel.notFended();
+        Kernel::ThinPush maximum = kernel.notPushed();
         for (int k = 0; k < 6; ++k) {
           const int first = indexOf(ivec2(x, y) + around[k]);
           const int second = indexOf(ivec2(x, y) + around[(k + 1) % 6]);
           if (first < 0) continue;
-          most = kernel.fendedByEdge(most, c, here, cornerAt(first));
-          if (second >= 0) most = kernel.fendedByFace(most, c, here, cornerAt(first), cornerAt(second));
+          maximum = kernel.pushedByEdge(maximum, c, here, cornerAt(first));
+          if (second >= 0)
+            maximum = kernel.pushedByFace(maximum, c, here, cornerAt(first), cornerAt(second));
         }
-        sum = kernel.together(sum, most);
+        sum = kernel.together(sum, maximum);
       }
       all.push_back(sum);
     }

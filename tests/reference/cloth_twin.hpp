@@ -45,6 +45,7 @@ class ClothTwin {
   void resolveThin(const simreel::shader::ClothStep& data);
 
   simreel::sim::ClothPlan plan_;
-  std::vector<glm::vec4> left_;  ///< positions after predict()
-  std::vector<glm::vec4> ways_;  ///< displacement during the frame of each pin that follows a skin
+  std::vector<glm::vec4> predicted_;  ///< positions after predict()
+  std::vector<glm::vec4>
+      pinDisplacements_;  ///< displacement during the frame of each pin that follows a skin
 };

@@ -47,20 +47,20 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   }
   const auto xyz = [](const std::vector<vec4>& from, int i) { return vec3(from[at(i)]); };
   const std::size_t movable = at(plan_.movable());
-  const float stirBefore = stir_;
-  stir_ = 0;
+  const float maxPathBefore = maxPath_;
+  maxPath_ = 0;
   const auto isGone = [&](std::size_t i) { return kernel.isBall(static_cast<int>(i)) && now[i].w == 0; };
   for (std::size_t i = at(plan_.balls()); i < now.size(); ++i) {
     const float way = isGone(i) ? 0.0F : kernel.lengthOf(vec3(now[i]), vec3(next[i]));
-    stir_ = std::max(stir_, i < movable ? kernel.ballStir(way, skins[i].z) : way);
+    maxPath_ = std::max(maxPath_, i < movable ? kernel.ballMotion(way, skins[i].z) : way);
   }
-  bool stale = first || hulls_.empty() || stir_ > searched_;
+  bool stale = first || hulls_.empty() || maxPath_ > searched_;
   for (std::size_t i = 0; i < next.size() && !stale; ++i)
-    stale =
-        !isGone(i) && !kernel.isGood(vec3(next[i]), hulls_[i].low, hulls_[i].high, stirBefore, beside_[i]);
+    stale = !isGone(i) &&
+            !kernel.pairsComplete(vec3(next[i]), hulls_[i].low, hulls_[i].high, maxPathBefore, beside_[i]);
   if (stale) {
     ++searches;
-    searched_ = kernel.foreseen(stir_);
+    searched_ = kernel.searchAllowance(maxPath_);
     beside_.assign(now.size(), 0.0F);
     hulls_.clear();
     for (std::size_t i = 0; i < next.size(); ++i)
@@ -115,9 +115,9 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
           sift(true, edges[i].x, edges[i].y, edges[j].x, edges[j].y);
   }
   pairs = vertexPairs_.size() + edgePairs_.size();
-  roam_.clear();
+  extraMoves_.clear();
   for (std::size_t i = 0; i < now.size(); ++i)
-    roam_.push_back(kernel.roamOf(vec3(now[i]), vec3(next[i]), stir_, beside_[i]));
+    extraMoves_.push_back(kernel.extraMoveLimit(vec3(now[i]), vec3(next[i]), maxPath_, beside_[i]));
 
   std::vector<Near>& near = near_;
   near.clear();
@@ -137,9 +137,10 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
     const vec4 rises = kernel.heightsOf(n, xyz(next, c.x) - xyz(now, c.x), xyz(next, c.y) - xyz(now, c.y),
                                         xyz(next, c.z) - xyz(now, c.z), xyz(next, c.w) - xyz(now, c.w));
     const float thick = thicknessOf(kernel, c);
-    const vec4 roams(roam_[at(c.x)], roam_[at(c.y)], roam_[at(c.z)], roam_[at(c.w)]);
+    const vec4 extraMoves(extraMoves_[at(c.x)], extraMoves_[at(c.y)], extraMoves_[at(c.z)],
+                          extraMoves_[at(c.w)]);
     if (isGone(at(c.x))) return;
-    if (!kernel.isNear(n, heights, rises, thick, roams)) return;
+    if (!kernel.isNear(n, heights, rises, thick, extraMoves)) return;
     near.push_back(n);
     nearest[at(c.x)] = std::min(nearest[at(c.x)], n.normal.w);
     if (!kernel.meetsSolid(n)) return;
@@ -157,11 +158,11 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
   const auto start = [&] {
     starts_.clear();
     for (std::size_t i = 0; i < now.size(); ++i)
-      starts_.push_back(stir_ == 0 || !kernel.hasSolids() ? vec3(now[i])
-                                                          : kernel.carriedTo(now[i], up[i], down[i]));
+      starts_.push_back(maxPath_ == 0 || !kernel.hasSolids() ? vec3(now[i])
+                                                             : kernel.carriedTo(now[i], up[i], down[i]));
   };
   start();
-  for (int round = 0; round < simreel::sim::ContactPlan::carryRounds && stir_ > 0; ++round) {
+  for (int round = 0; round < simreel::sim::ContactPlan::carryRounds && maxPath_ > 0; ++round) {
     for (const Near& n : near) {
       const ivec4 c = kernel.cornersOf(n);
       if (kernel.meetsSolid(n)) continue;
@@ -206,7 +207,7 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
       ways.push_back(way);
       if (way == vec3(0)) continue;
       ++touching;
-      for (int k = 0; k < 4; ++k) counts[at(c[k])] += kernel.claimOf(n.shares[k]);
+      for (int k = 0; k < 4; ++k) counts[at(c[k])] += kernel.massWeightOf(n.shares[k]);
     }
     std::vector<ivec3> sums(now.size(), ivec3(0));
     for (std::size_t i = 0; i < near.size(); ++i) {
@@ -225,8 +226,8 @@ void ContactTwin::push(const std::vector<Part>& parts, bool first) {
       sums[at(c.w)] += rest;
     }
     for (std::size_t i = 0; i < movable; ++i) {
-      const float most = 0.5F * skins[i].x + roam_[i];
-      const vec3 moved = kernel.pushedTo(vec3(next[i]), vec3(wanted[i]), now[i].w, sums[i], most,
+      const float maximum = 0.5F * skins[i].x + extraMoves_[i];
+      const vec3 moved = kernel.pushedTo(vec3(next[i]), vec3(wanted[i]), now[i].w, sums[i], maximum,
                                          hulls_[i].low, hulls_[i].high);
       if (counts[i] > 0 && now[i].w > 0) wanted[i] = vec4(moved, wanted[i].w);
     }
@@ -256,7 +257,7 @@ void ContactTwin::hold(const std::vector<Part>& parts) {
       wanted[vertex] = kernel.isBall(static_cast<int>(vertex)) && now[vertex].w == 0
                            ? settled
                            : vec4(kernel.keptWithin(vec3(next_[vertex]), vec3(settled),
-                                                    skins[vertex].x * 1.25F + roam_[vertex],
+                                                    skins[vertex].x * 1.25F + extraMoves_[vertex],
                                                     hulls_[vertex].low, hulls_[vertex].high),
                                   settled.w);
       ++vertex;

@@ -37,7 +37,7 @@ class ContactTwin {
   std::vector<glm::ivec4> vertexPairs_, edgePairs_;
   std::vector<glm::vec4> now_, next_, wanted_;
   std::vector<glm::vec3> starts_;
-  std::vector<float> beside_, roam_;
-  float stir_ = 0, searched_ = 0;
+  std::vector<float> beside_, extraMoves_;
+  float maxPath_ = 0, searched_ = 0;
   std::vector<simreel::shader::Near> near_;
 };

@@ -31,11 +31,11 @@ int crossings(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec
         const unsigned u = g[k], v = g[(k + 1) % 3];
         if (u == f.x || u == f.y || u == f.z || v == f.x || v == f.y || v == f.z) continue;
         const glm::dvec3 &p = points[u], &q = points[v];
-        bool apart = false;
+        bool disjoint = false;
         for (int axis = 0; axis < 3; ++axis)
-          apart =
-              apart || std::max(p[axis], q[axis]) < low[axis] || std::min(p[axis], q[axis]) > high[axis];
-        count += !apart && crosses(p, q, a, b, c) ? 1 : 0;
+          disjoint =
+              disjoint || std::max(p[axis], q[axis]) < low[axis] || std::min(p[axis], q[axis]) > high[axis];
+        count += !disjoint && crosses(p, q, a, b, c) ? 1 : 0;
       }
     }
   }

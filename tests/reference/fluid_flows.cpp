@@ -15,14 +15,14 @@ using Side = sim::FluidSide::Kind;
 
 /// Returns the maximum of the samples from index `first` on, refined by a parabola through three samples.
 double peak(const std::vector<double>& values, std::size_t first) {
-  double most = -1e300;
+  double maximum = -1e300;
   for (std::size_t i = std::max<std::size_t>(first, 1); i + 1 < values.size(); ++i) {
     const double a = values[i - 1], b = values[i], c = values[i + 1];
     if (b < a || b < c) continue;
     const double bend = a - 2 * b + c;
-    most = std::max(most, bend < 0 ? b - (c - a) * (c - a) / (8 * bend) : b);
+    maximum = std::max(maximum, bend < 0 ? b - (c - a) * (c - a) / (8 * bend) : b);
   }
-  return most;
+  return maximum;
 }
 
 std::size_t from(const std::vector<double>& times, double seconds) {
@@ -43,11 +43,11 @@ double parabolaAt(double a, double b, double c) {
 
 }  // namespace
 
-double Wake::mostDrag(double seconds) const {
+double Wake::maxDrag(double seconds) const {
   return peak(drag, from(times, seconds));
 }
 
-double Wake::mostLift(double seconds) const {
+double Wake::maxLift(double seconds) const {
   return peak(lift, from(times, seconds));
 }
 

@@ -16,9 +16,9 @@ struct Wake {
 
   /// These functions return the maximum drag, the mean drag and the maximum lift over the last `seconds`. A
   /// maximum is refined by a parabola through samples.
-  [[nodiscard]] double mostDrag(double seconds) const;
+  [[nodiscard]] double maxDrag(double seconds) const;
   [[nodiscard]] double meanDrag(double seconds) const;
-  [[nodiscard]] double mostLift(double seconds) const;
+  [[nodiscard]] double maxLift(double seconds) const;
   /// Returns the frequency (1/s) of the lift over the last `seconds`, from its upward zero crossings.
   [[nodiscard]] double frequency(double seconds) const;
 };
@@ -61,7 +61,7 @@ struct Ghia {
 /// Extrema on the centre lines of a cavity. These are the minimum of u on the vertical line, and the
 /// maximum and minimum of v on the horizontal line. They are refined by parabolas through three nodes.
 struct Extremes {
-  double u, most, least;
+  double u, maximum, minimum;
 };
 [[nodiscard]] Extremes extremesOf(int n, std::span<const glm::vec4> flow);
 /// Results of Botella and Peyret (1998), "Benchmark spectral results on the lid-driven cavity flow", for Re

@@ -228,12 +228,13 @@ void FluidTwin::ascend(std::size_t number) {
     if (l.wrapsY) y = (y + coarse.cells.y) % coarse.cells.y;
     const auto open = [](const sim::FluidSide& side) { return side.kind == sim::FluidSide::Kind::open; };
     const sim::FluidParameters& p = plan_.parameters();
-    const glm::ivec2 most = coarse.cells - 1;
-    if ((x < 0 && !open(p.left)) || (x > most.x && !open(p.right)) || (y < 0 && !open(p.top)) ||
-        (y > most.y && !open(p.bottom)))
+    const glm::ivec2 maximum = coarse.cells - 1;
+    if ((x < 0 && !open(p.left)) || (x > maximum.x && !open(p.right)) || (y < 0 && !open(p.top)) ||
+        (y > maximum.y && !open(p.bottom)))
       return shader::noCell;
-    const float value = coarse.value[coarse.index(std::clamp(x, 0, most.x), std::clamp(y, 0, most.y))];
-    const bool beyond = x < 0 || y < 0 || x > most.x || y > most.y;
+    const float value =
+        coarse.value[coarse.index(std::clamp(x, 0, maximum.x), std::clamp(y, 0, maximum.y))];
+    const bool beyond = x < 0 || y < 0 || x > maximum.x || y > maximum.y;
     return beyond && value < shader::noCell ? -value : value;
   };
   for (int y = 0; y < l.cells.y; ++y)
@@ -271,8 +272,8 @@ void FluidTwin::project() {
       const glm::vec4& cell = flow[index(std::min(x, size.x), std::min(y, size.y))];
       speed = std::max({speed, std::abs(cell.x), std::abs(cell.y)});
     }
-  const float most = sim::aimedFluidDivergence * speed;
-  for (int i = 0; i < plan_.parameters().cycles && missing > most; ++i) {
+  const float maximum = sim::aimedFluidDivergence * speed;
+  for (int i = 0; i < plan_.parameters().cycles && missing > maximum; ++i) {
     cycle();
     ++cycles;
     missing = 0;
@@ -325,13 +326,13 @@ std::vector<float> FluidTwin::lines(double time) const {
 double FluidTwin::divergence() const {
   auto model = shader::modelOf(plan_, *solids_, step_, flow, carried_, dye, sum_);
   const glm::ivec2 size = plan_.size();
-  double most = 0;
+  double maximum = 0;
   double speed = 1e-30;
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
       const glm::dvec4 here(flow[index(x, y)]);
       speed = std::max({speed, std::abs(here.x), std::abs(here.y)});
-      most = std::max(most, std::abs(double{model.missingFlow(x, y)}));
+      maximum = std::max(maximum, std::abs(double{model.missingFlow(x, y)}));
     }
-  return most / speed;
+  return maximum / speed;
 }

@@ -60,7 +60,7 @@ void GarmentTwin::step(double time) {
   int index = 0;
   const auto steps = plan_.frame(time);
   if (meshes) meshes->beginFrame(time, plan_.substeps(), plan_.substepSeconds());
-  ways_ = plan_.skinPins().frame(time, time + plan_.substeps() * plan_.substepSeconds());
+  pinDisplacements_ = plan_.skinPins().frame(time, time + plan_.substeps() * plan_.substepSeconds());
   for (const ClothStep& data : steps) substep(data, index++);
 }
 
@@ -92,7 +92,7 @@ void GarmentTwin::substep(const ClothStep& data, int index) {
                                          vec3(positions[face.z]), velocity),
                       0);
   }
-  holdBySkin(ways_, index, plan_.substeps(), velocities);
+  holdBySkin(pinDisplacements_, index, plan_.substeps(), velocities);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto m =
         kernel.predicted(kernel.bending->fans[i], positions[i], velocities[i], vec3(trends[i]), air);
@@ -169,20 +169,20 @@ void GarmentTwin::resolveThin(const ClothStep& data) {
   const auto cornerAt = [&](std::size_t i) {
     return kernel.cornerOf(positions[i], next_[i], velocities[i]);
   };
-  std::vector<GarmentKernel::Fended> all;
+  std::vector<GarmentKernel::ThinPush> all;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const GarmentKernel::Corner here = cornerAt(i);
-    GarmentKernel::Fended sum = kernel.notFended();
+    GarmentKernel::ThinPush sum = kernel.notPushed();
     for (int c = data.colliderCount; c < data.colliderCount + data.thinCount; ++c) {
       if (here.inverseMass == 0 || !kernel.mayMeet(c, here)) continue;
-      GarmentKernel::Fended most = kernel.notFended();
+      GarmentKernel::ThinPush maximum = kernel.notPushed();
       for (unsigned k = 0; k < arrays.bendings[0].fans[i].y; ++k) {
         const uvec4 ring = arrays.rings[arrays.bendings[0].fans[i].x + k];
-        most = kernel.fendedByEdge(most, c, here, cornerAt(ring.x));
-        most = kernel.fendedByEdge(most, c, here, cornerAt(ring.y));
-        most = kernel.fendedByFace(most, c, here, cornerAt(ring.x), cornerAt(ring.y));
+        maximum = kernel.pushedByEdge(maximum, c, here, cornerAt(ring.x));
+        maximum = kernel.pushedByEdge(maximum, c, here, cornerAt(ring.y));
+        maximum = kernel.pushedByFace(maximum, c, here, cornerAt(ring.x), cornerAt(ring.y));
       }
-      sum = kernel.together(sum, most);
+      sum = kernel.together(sum, maximum);
     }
     all.push_back(sum);
   }

@@ -40,5 +40,6 @@ class GarmentTwin {
   void resolveThin(const simreel::shader::ClothStep& data);
   simreel::sim::GarmentPlan plan_;
   std::vector<glm::vec4> next_, forces_;
-  std::vector<glm::vec4> ways_;  ///< displacement during the frame of each pin that follows a skin
+  std::vector<glm::vec4>
+      pinDisplacements_;  ///< displacement during the frame of each pin that follows a skin
 };

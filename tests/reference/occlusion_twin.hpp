@@ -12,7 +12,7 @@
 /// resolution.
 struct OcclusionTwin {
   simreel::shader::ExactView view;
-  glm::vec3 reach{0};  ///< result of draw::reachOnPicture()
+  glm::vec3 reach{0};  ///< result of draw::searchLimits()
   int slices = 2, steps = 5;
   std::vector<float> nearness;  ///< 1/depth of half-resolution pixels (1/m)
 

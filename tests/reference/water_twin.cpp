@@ -39,7 +39,7 @@ struct BedKernel {
 struct FloatKernel {
   const std::vector<glm::vec4>& cells;
   const std::vector<glm::vec4>& bodies;
-  const std::vector<glm::vec4>& told;
+  const std::vector<glm::vec4>& floatInput;
   const std::vector<glm::vec4>& points;
   std::vector<glm::ivec4>& sums;
   ivec2 size;
@@ -47,7 +47,7 @@ struct FloatKernel {
 
   [[nodiscard]] vec4 loadWater(int i) const { return cells[static_cast<std::size_t>(i)]; }
   [[nodiscard]] vec4 loadFloat(int i) const { return bodies[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] vec4 loadTold(int i) const { return told[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] vec4 loadParameters(int i) const { return floatInput[static_cast<std::size_t>(i)]; }
   [[nodiscard]] vec4 loadFloatPoint(int i) const { return points[static_cast<std::size_t>(i)]; }
   void addToSum(int cell, int which, int value) { sums[static_cast<std::size_t>(cell)][which] += value; }
 #include "glsl/water/float_model.glsl"
@@ -59,7 +59,8 @@ struct FloatKernel {
   [[nodiscard]] FloatSum withContact(const FloatSum& sum, int me, int other) {
     const bool isFirst = me < other;
     const FloatBody first = floatBody(std::min(me, other));
-    const FloatTold a = floatTold(std::min(me, other)), b = floatTold(std::max(me, other));
+    const FloatParameters a = floatParameters(std::min(me, other)),
+                          b = floatParameters(std::max(me, other));
     const FloatBody second = floatBeside(first, floatBody(std::max(me, other)));
     if (!floatNear(first, a, second, b)) return sum;
     std::vector<FloatMeet> lanes;
@@ -135,13 +136,13 @@ void WaterTwin::fall(double time, int step) {
 
 void WaterTwin::drift(double time, int index) {
   const glm::ivec2 size = plan_.parameters().size;
-  const std::vector<glm::vec4> told = plan_.floats().toldAt(time);
+  const std::vector<glm::vec4> floatInput = plan_.floats().parametersAt(time);
   const std::vector<glm::vec4> before = floats;
-  shader::FloatKernel kernel{
-      cells, before, told, plan_.floats().points(), displaced, size, plan_.floats().step()};
+  shader::FloatKernel kernel{cells,     before, floatInput,           plan_.floats().points(),
+                             displaced, size,   plan_.floats().step()};
   for (int body = 0; body < kernel.floats.count; ++body) {
     const shader::FloatKernel::FloatBody now = kernel.floatBody(body);
-    const shader::FloatTold what = kernel.floatTold(body);
+    const shader::FloatParameters what = kernel.floatParameters(body);
     std::vector<shader::FloatKernel::FloatSum> lanes;
     for (int lane = 0; lane < shader::floatLanes; ++lane)
       lanes.push_back(kernel.floatLane(lane, now, what));

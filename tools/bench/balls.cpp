@@ -36,17 +36,18 @@ struct Taken {
 };
 
 /// Returns the least of `runs` runs.
-Taken leastOf(int runs, const auto& body) {
-  Taken least;
+Taken minimumOf(int runs, const auto& body) {
+  Taken minimum;
   for (int i = 0; i < runs; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     const std::clock_t clock = std::clock();
     body();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    least.seconds = std::min(least.seconds, seconds.count());
-    least.processor = std::min(least.processor, static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
+    minimum.seconds = std::min(minimum.seconds, seconds.count());
+    minimum.processor =
+        std::min(minimum.processor, static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
   }
-  return least;
+  return minimum;
 }
 
 /// Returns a floor and four walls around a cube of balls that fill 0.3 of their space.
@@ -140,13 +141,13 @@ void run(int count, int settling) {
     for (; at < settling; ++at) particles->step(at * frame, {});
     if (!fast) {
       auto heap = plainHeap(plan, particles->state(), half);
-      plainTaken = leastOf(3, [&] {
+      plainTaken = minimumOf(3, [&] {
         for (int i = 0; i < substeps; ++i) heap.step(static_cast<float>(plan.substepSeconds()));
       });
       describe("plain loop, one thread", plainTaken, plainTaken, heap.positions);
     }
     glFinish();
-    const Taken taken = leastOf(5, [&] {
+    const Taken taken = minimumOf(5, [&] {
       particles->step(at++ * frame, {});
       glFinish();
     });

@@ -44,12 +44,12 @@ std::unique_ptr<sim::Simulation> fluidOf(const sim::FluidParameters& parameters,
 }
 
 struct Range {
-  double least, most;
+  double minimum, maximum;
 };
 
 bool within(const char* what, double value, Range bar) {
-  const bool fine = value >= bar.least && value <= bar.most;
-  fmt::print("  {:<22} {:>9.5f}   bar {:.5g} to {:.5g}{}\n", what, value, bar.least, bar.most,
+  const bool fine = value >= bar.minimum && value <= bar.maximum;
+  fmt::print("  {:<22} {:>9.5f}   bar {:.5g} to {:.5g}{}\n", what, value, bar.minimum, bar.maximum,
              fine ? "" : "  beyond");
   return fine;
 }
@@ -82,14 +82,14 @@ bool cylinder(int cells, double seconds, const WakeBars& bars) {
   fmt::print("cylinder 2D-2, {} cells a diameter, {} s\n", cells, seconds);
   const flows::Wake wake = wakeOf(flows::schaeferTurek(cells), seconds);
   bool fine = within("Strouhal", wake.frequency(2) * 0.1, bars.strouhal);
-  fine = within("largest drag", wake.mostDrag(2), bars.drag) && fine;
-  return within("largest lift", wake.mostLift(2), bars.lift) && fine;
+  fine = within("largest drag", wake.maxDrag(2), bars.drag) && fine;
+  return within("largest lift", wake.maxLift(2), bars.lift) && fine;
 }
 
 bool wide(int cells, double seconds, Range strouhal) {
   fmt::print("cylinder, Re 100, blockage 1/30, {} cells a diameter, {} diameters' time\n", cells, seconds);
   const flows::Wake wake = wakeOf(flows::wideChannel(cells), seconds);
-  fmt::print("  drag {:.4f}, largest lift {:.4f}\n", wake.meanDrag(30), wake.mostLift(30));
+  fmt::print("  drag {:.4f}, largest lift {:.4f}\n", wake.meanDrag(30), wake.maxLift(30));
   return within("Strouhal", wake.frequency(40), strouhal);
 }
 
@@ -113,8 +113,8 @@ bool cavity(int cells, double reynolds, Advection advection, double turns) {
     fine = within(extreme, value, {table - off, table + off}) && fine;
   };
   near("least u", got.u, want.u);
-  near("greatest v", got.most, want.most);
-  near("least v", got.least, want.least);
+  near("greatest v", got.maximum, want.maximum);
+  near("least v", got.minimum, want.minimum);
   return fine;
 }
 

@@ -124,16 +124,16 @@ struct Stage {
     corners = gl::Buffer::of<unsigned>("corners", numbers);
     words = gl::Buffer("words", 16 * soup.places.size());
     const std::array<glm::vec4, 1> look = {glm::vec4(1)};
-    looks = gl::Buffer::of<glm::vec4>("looks", look);
+    materials = gl::Buffer::of<glm::vec4>("looks", look);
     placeView = gl::Texture::view("places", GL_RGBA32F, places);
     cornerView = gl::Texture::view("corners", GL_R32UI, corners, 4);
     wordView = gl::Texture::view("words", GL_RGBA32UI, words);
-    lookView = gl::Texture::view("looks", GL_RGBA32F, looks);
+    lookView = gl::Texture::view("looks", GL_RGBA32F, materials);
     solids = {.count = static_cast<int>(soup.places.size() / 3),
               .places = &placeView,
               .corners = &cornerView,
               .words = &wordView,
-              .looks = &lookView};
+              .materials = &lookView};
     build();
     rays = gl::Buffer::of<glm::vec4>("rays", soup.rays);
     rayView = gl::Texture::view("rays", GL_RGBA32F, rays);
@@ -162,7 +162,7 @@ struct Stage {
   }
   draw::Hierarchy hierarchy{draw::Hierarchy::Of::triangles};
   draw::Hierarchy::Solids solids;
-  gl::Buffer places, corners, words, looks, bounds, rays, hits;
+  gl::Buffer places, corners, words, materials, bounds, rays, hits;
   gl::Texture placeView, cornerView, wordView, lookView, rayView;
 };
 

@@ -110,7 +110,7 @@ void handWritten(benchmark::State& state, sim::GrayScottKernels::Cut cut, int st
   report(state, side, steps);
 }
 
-void rule(benchmark::State& state, sim::ReactionPlan (*make)(int side), sim::RuleCut cut, int steps) {
+void rule(benchmark::State& state, sim::ReactionPlan (*make)(int side), sim::WorkSplit cut, int steps) {
   const int side = static_cast<int>(state.range(0));
   const sim::ReactionPlan plan = make(side);
   sim::ReactionKernels kernels("bench", plan, false, cut);
@@ -210,10 +210,11 @@ int main(int argc, char** argv) {
   add("by hand, several steps a pass", side, handWritten, sim::GrayScottKernels::bestCut({side, side}),
       steps);
   for (const int rows : {1, 2, 4, 8})
-    add(fmt::format("rule, one step a pass, {} rows", rows), side, rule, asRule, sim::RuleCut{rows}, steps);
+    add(fmt::format("rule, one step a pass, {} rows", rows), side, rule, asRule, sim::WorkSplit{rows},
+        steps);
   for (const int elements : software ? std::vector<int>{4, 6, 8} : std::vector<int>{1, 2})
     for (const int together : {2, 4}) {
-      sim::RuleCut cut = sim::ReactionKernels::bestCut();
+      sim::WorkSplit cut = sim::ReactionKernels::bestCut();
       cut.stripsAfter = 0;
       cut.stepsPerPass = together;
       cut.stripElements = elements;
@@ -227,7 +228,7 @@ int main(int argc, char** argv) {
                                                  {"6 species", [](int s) { return inCircle(s, 6); }},
                                                  {"8 species", [](int s) { return inCircle(s, 8); }}};
   for (const auto& [what, make] : others) {
-    sim::RuleCut cut = sim::ReactionKernels::bestCut();
+    sim::WorkSplit cut = sim::ReactionKernels::bestCut();
     cut.stepsPerPass = 1;
     add(fmt::format("{}, one step a pass", what), side, rule, make, cut, steps);
     cut = sim::ReactionKernels::bestCut();
@@ -246,7 +247,7 @@ int main(int argc, char** argv) {
   add("bytes alone, one thread", side, bytesAlone, false);
   const int tank = software ? 64 : 256;
   for (const int rows : {1, 2, 4, 8, 16, 32}) {
-    sim::RuleCut cut = sim::ReactionKernels::bestCut();
+    sim::WorkSplit cut = sim::ReactionKernels::bestCut();
     cut.volumeRows = rows;
     add(fmt::format("volume, {} rows", rows), tank, rule, inVolume, cut, steps);
   }

@@ -163,11 +163,11 @@ bool resolution(int seconds, const std::vector<scene::Override>& more) {
     std::fflush(stdout);
   }
   const auto spread = [&](std::array<Mean, 2> Flag::*angles, std::size_t chords) {
-    const auto [least, most] =
+    const auto [minimum, maximum] =
         std::minmax_element(flags.begin(), flags.end(), [&](const Flag& a, const Flag& b) {
           return (a.*angles)[chords].rms() < (b.*angles)[chords].rms();
         });
-    return 100 * (((*most).*angles)[chords].rms() / ((*least).*angles)[chords].rms() - 1);
+    return 100 * (((*maximum).*angles)[chords].rms() / ((*minimum).*angles)[chords].rms() - 1);
   };
   fmt::print("spread: {:.1f}% and {:.1f}% along the fly edge, bar 20%; {:.1f}% and {:.1f}% in the rows\n",
              spread(&Flag::alongEdge, 0), spread(&Flag::alongEdge, 1), spread(&Flag::toEdge, 0),

@@ -77,10 +77,10 @@ Sight sightNow() {
   Sight sight;
   for (int axis = 0; axis < 3; ++axis) {
     precise vec4 low = rows[3] + rows[axis], high = rows[3] - rows[axis];
-    precise vec4 least = low * exactInverseSqrt(exactDot(low.xyz, low.xyz));
-    precise vec4 most = high * exactInverseSqrt(exactDot(high.xyz, high.xyz));
-    sight.sides[2 * axis] = least;
-    sight.sides[2 * axis + 1] = most;
+    precise vec4 minimum = low * exactInverseSqrt(exactDot(low.xyz, low.xyz));
+    precise vec4 maximum = high * exactInverseSqrt(exactDot(high.xyz, high.xyz));
+    sight.sides[2 * axis] = minimum;
+    sight.sides[2 * axis + 1] = maximum;
   }
   return sight;
 }

@@ -13,10 +13,10 @@ uniform int surfaces;
 // Returns true if part of the box is inside every plane that bounds the shadow map (the planes of face_clip.glsl).
 bool reaches(int face, vec3 low, vec3 high, float scale, float nearest) {
   vec3 a = onFace(face, low), b = onFace(face, high);
-  vec3 least = min(a, b), most = max(a, b);
-  precise float reach = most.x + 1e-4 * (most.x - least.x + abs(most.x));  // margin for rounding errors
-  precise float across = scale * max(max(least.y, -most.y), max(least.z, -most.z));
-  return most.x >= nearest && reach >= across;
+  vec3 minimum = min(a, b), maximum = max(a, b);
+  precise float reach = maximum.x + 1e-4 * (maximum.x - minimum.x + abs(maximum.x));  // margin for rounding errors
+  precise float across = scale * max(max(minimum.y, -maximum.y), max(minimum.z, -maximum.z));
+  return maximum.x >= nearest && reach >= across;
 }
 
 void main() {

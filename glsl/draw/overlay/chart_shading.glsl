@@ -25,8 +25,8 @@ FUNCTION float squareTo(vec2 p, vec2 a, vec2 b) {
   ROUNDED float square = along.x * along.x + along.y * along.y;
   ROUNDED float share = (aside.x * along.x + aside.y * along.y) * inverse(max(square, 1e-12f));
   ROUNDED vec2 rest = aside - along * clamp(share, 0.0f, 1.0f);
-  ROUNDED float apart = rest.x * rest.x + rest.y * rest.y;
-  return apart;
+  ROUNDED float squaredDistance = rest.x * rest.x + rest.y * rest.y;
+  return squaredDistance;
 }
 
 // Returns one row of a column's data as depths (pixels) below the plot's top edge. `high` is the plot's height
@@ -46,12 +46,12 @@ FUNCTION ChartLook looked(vec2 p, vec2 size, int reach) {
     vec4 low = depthsAt(c, 2, size.y), high = depthsAt(c, 3, size.y);
     ROUNDED float x0 = float(c);
     ROUNDED float half_ = x0 + 0.5f;
-    ROUNDED float least = x0 + 1e-3f;
+    ROUNDED float minimum = x0 + 1e-3f;
     ROUNDED float along = p.x - x0;
     ROUNDED vec4 deep = p.y - (a + (b - a) * along);
     ROUNDED vec4 above = min(a, b) - 0.01f;
     ROUNDED vec4 under = max(a, b) + 0.01f;
-    float x1 = min(float(c + 1), max(end, least));
+    float x1 = min(float(c + 1), max(end, minimum));
     for (int k = 0; k < curves; ++k) {
       square[k] = min(square[k], squareTo(p, vec2(x0, a[k]), vec2(x1, b[k])));
       // Adds a vertical line if the curve is more than a straight segment within the column.

@@ -131,9 +131,9 @@ FUNCTION float exponential(float x) {
 FUNCTION vec3 lit(vec3 color, vec2 middle, vec2 reach) {
   ROUNDED vec2 a = middle - reach;
   ROUNDED vec2 b = middle + reach;
-  ROUNDED vec2 apart = 2.0f * reach;
-  ROUNDED vec2 twice = 2.0f * apart;
-  vec2 right = vec2(apart.x, 0.0f), down = vec2(0.0f, apart.y);
+  ROUNDED vec2 separation = 2.0f * reach;
+  ROUNDED vec2 twice = 2.0f * separation;
+  vec2 right = vec2(separation.x, 0.0f), down = vec2(0.0f, separation.y);
   ROUNDED vec2 a1 = a + right;
   ROUNDED vec2 b1 = b + right;
   ROUNDED vec2 a2 = a - right;

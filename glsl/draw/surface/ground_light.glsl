@@ -31,7 +31,7 @@ FUNCTION vec3 aroundGround(vec3 view) {
 #endif
 
 FUNCTION Shares sharesOfGround(vec3 view) {
-  return sharesOf(vec3(frame.groundColor), frame.groundRoughness, 0.0f, view.y);
+  return barycentricWeights(vec3(frame.groundColor), frame.groundRoughness, 0.0f, view.y);
 }
 
 // Returns the sun's diffuse and specular light plus the diffuse ambient light.

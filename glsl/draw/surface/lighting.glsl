@@ -31,9 +31,9 @@ struct Look {
 
 FUNCTION Shares sharesOfLook(Look look, float nv) {
 #ifdef REFLECTIVE
-  return sharesOf(look.base, look.roughness, look.metallic, nv);
+  return barycentricWeights(look.base, look.roughness, look.metallic, nv);
 #else
-  return sharesOf(look.base, look.roughness, 0.0f, nv);
+  return barycentricWeights(look.base, look.roughness, 0.0f, nv);
 #endif
 }
 

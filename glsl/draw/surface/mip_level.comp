@@ -10,7 +10,7 @@ layout(FORMAT, binding = reliefImage) uniform writeonly restrict image2D below;
 uniform ivec2 aboveSize;
 
 // Returns the weights of the first, second and third texel.
-vec3 sharesOf(int i, int count) {
+vec3 barycentricWeights(int i, int count) {
   if (count == 1) return vec3(1, 0, 0);
   if (count % 2 == 0) return vec3(0.5, 0.5, 0);
   int n = count / 2;
@@ -21,7 +21,7 @@ vec3 sharesOf(int i, int count) {
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(at, max(aboveSize / 2, 1)))) return;
-  vec3 across = sharesOf(at.x, aboveSize.x), down = sharesOf(at.y, aboveSize.y);
+  vec3 across = barycentricWeights(at.x, aboveSize.x), down = barycentricWeights(at.y, aboveSize.y);
   ivec2 taken = min(aboveSize, 2 + aboveSize % 2);
   precise vec4 sum = vec4(0);
   for (int y = 0; y < taken.y; ++y)

@@ -35,9 +35,9 @@ FUNCTION vec2 lowerLobe(vec3 normal, vec3 view, vec3 light, float nl, float alph
   ROUNDED float d = nh * nh * (alpha2 - 1.0f) + 1.00001f;
   ROUNDED float under = 4.0f * d * d * smithUnder(max(nl, 1e-3f), nv, alpha2);
   ROUNDED float value = lower * alpha2 * inverse(max(under, 1e-20f));
-  float most = min(value, 60.0f);
-  ROUNDED float white = most * schlickPart(dotted(light, halfway));
-  ROUNDED float colored = most - white;
+  float maximum = min(value, 60.0f);
+  ROUNDED float white = maximum * schlickPart(dotted(light, halfway));
+  ROUNDED float colored = maximum - white;
   return vec2(colored, white);
 }
 FUNCTION vec2 lobe(vec3 normal, vec3 view, vec3 light, float alpha) {
@@ -78,7 +78,7 @@ struct Shares {
   vec3 mirror;
   vec3 mirrored;
 };
-FUNCTION Shares sharesOf(vec3 base, float roughness, float metallic, float nv) {
+FUNCTION Shares barycentricWeights(vec3 base, float roughness, float metallic, float nv) {
   vec2 weight = ambientLobe(roughness, abs(nv));
   ROUNDED float lost = 0.04f * weight.x + weight.y;
   ROUNDED float kept = (1.0f - metallic) * (1.0f - clamp(lost, 0.0f, 1.0f));

@@ -78,9 +78,9 @@ struct Pass {
 vec3 halfSlopes(vec3 before, vec3 after) {
   precise vec3 product = before * after;
   vec3 same = clamp(product, vec3(0.0), vec3(1.0));
-  precise vec3 most = min(abs(before), abs(after)) * same;
+  precise vec3 maximum = min(abs(before), abs(after)) * same;
   precise vec3 quarter = 0.25 * (before + after);
-  return clamp(quarter, -most, most);
+  return clamp(quarter, -maximum, maximum);
 }
 
 // Returns the flux through a face, in dye quanta.

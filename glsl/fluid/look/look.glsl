@@ -46,8 +46,8 @@ FUNCTION vec4 glowOf(float heat) {
 FUNCTION vec4 shownColor(int look, float brightness, vec4 dye, float heat, vec3 paper) {
   precise vec4 light = brightness * dye;
   if (look == inkLook) {
-    float most = max(max(light.x, light.y), light.z);
-    precise vec4 lacking = vec4(1.15f * most) - light;
+    float maximum = max(max(light.x, light.y), light.z);
+    precise vec4 lacking = vec4(1.15f * maximum) - light;
     precise vec4 left = vec4(paper, 0.0f) * vec4(fraction(lacking.x), fraction(lacking.y), fraction(lacking.z), 0.0f);
     return left;
   }

@@ -9,7 +9,7 @@ layout(local_size_x = lanes) in;
 uniform int dispatches;    // Number of indirect dispatches in control.groups
 uniform int first;         // 1 for the dispatch before the first cycle
 uniform float tolerance;   // Maximum allowed ratio of `flow` to `speed`
-uniform float mostSpeed;   // Maximum expected speed, given by the scene
+uniform float maxSpeed;   // Maximum expected speed, given by the scene
 
 void main() {
   float flow = uintBitsToFloat(control.flow), speed = uintBitsToFloat(control.speed);
@@ -22,14 +22,14 @@ void main() {
   control.worstSpeed = max(control.worstSpeed, control.lastSpeed);
   control.solved += 1u;
   if (share > tolerance) status.remark |= 1u;
-  if (uintBitsToFloat(control.lastSpeed) > mostSpeed) status.remark |= 2u;
+  if (uintBitsToFloat(control.lastSpeed) > maxSpeed) status.remark |= 2u;
   control.flow = 0u;
   control.speed = 0u;
 #else
-  precise float most = tolerance * speed;
+  precise float maximum = tolerance * speed;
   // During the cycles, the last dispatch always has a nonzero size. If its size is 0, an earlier decision has ended the
   // solve.
-  bool met = flow <= most, over = first == 0 && control.groups[3 * dispatches - 1] == 0u;
+  bool met = flow <= maximum, over = first == 0 && control.groups[3 * dispatches - 1] == 0u;
   barrier();
   if (over) return;
   int lane = int(gl_LocalInvocationIndex);

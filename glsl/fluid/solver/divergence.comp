@@ -30,5 +30,5 @@ void main() {
     poolOut[rhsStart + element] = missing;
   }
   vec4 sizes = abs(missing);
-  noteMost(max(max(sizes.x, sizes.y), max(sizes.z, sizes.w)), speed, 0.0);
+  noteMaximum(max(max(sizes.x, sizes.y), max(sizes.z, sizes.w)), speed, 0.0);
 }

@@ -12,8 +12,8 @@ const int tile = 32;
 int marginOf(int number) {
   return (2 << (LEVELS - number)) - 2;
 }
-const int most = tile + 2 * ((2 << LEVELS) - 2);
-layout(local_size_x = most / 2, local_size_y = most / 2) in;  // One block per invocation
+const int maximum = tile + 2 * ((2 << LEVELS) - 2);
+layout(local_size_x = maximum / 2, local_size_y = maximum / 2) in;  // One block per invocation
 layout(std430, binding = poolBinding) readonly buffer PoolBlock { vec4 pool[]; };
 layout(std430, binding = poolOutBinding) writeonly buffer PoolOutBlock { float poolOut[]; };
 layout(std430, binding = raisedOutBinding) writeonly restrict buffer RaisedOutBlock { vec4 raisedOut[]; };
@@ -25,9 +25,9 @@ uniform ivec4 levels[4];
 // offset from them equals the offset of its openings.
 uniform int rhsStart, wayStart;
 
-const int windowStride = most + 2;
+const int windowStride = maximum + 2;
 shared float values[windowStride * windowStride];
-shared float missing[(most / 2 - 2) * (most / 2 - 2)];  // Right-hand sides of the coarser level, in its window
+shared float missing[(maximum / 2 - 2) * (maximum / 2 - 2)];  // Right-hand sides of the coarser level, in its window
 #include "fluid/solver/block.glsl"
 #include "fluid/solver/window.glsl"
 

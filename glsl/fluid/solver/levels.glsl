@@ -36,7 +36,7 @@ ivec2 within(ivec2 c) {
 }
 
 // Returns true if the cell is in a block, so that it has weights.
-bool isThere(ivec2 c) {
+bool isCovered(ivec2 c) {
   return c.x >= 0 && c.y >= 0 && (c.x >> 1) <= level.cells.x / 2 && (c.y >> 1) <= level.cells.y / 2;
 }
 
@@ -57,7 +57,7 @@ uint wordOf(uvec4 four, ivec2 c) {
 }
 
 vec2 facesOf(ivec2 c) {
-  if (!isThere(c)) return vec2(0.0);
+  if (!isCovered(c)) return vec2(0.0);
   return faceWeights(wordOf(LOAD_INPUT_WORDS(weights, level.weights + blockOf(c)), c));
 }
 

@@ -20,7 +20,7 @@ layout(std430, binding = controlBinding) restrict buffer ControlBlock {
 #ifndef TEXEL_PATH
 shared uint flowsOfGroup[64], speedsOfGroup[64], fastestOfGroup[64];
 #endif
-void noteMost(float flow, float speed, float fastest) {
+void noteMaximum(float flow, float speed, float fastest) {
   uint flowBits = floatBitsToUint(flow), speedBits = floatBitsToUint(speed), fastestBits = floatBitsToUint(fastest);
 #ifndef TEXEL_PATH
   int lane = int(gl_LocalInvocationIndex);

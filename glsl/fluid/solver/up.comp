@@ -6,8 +6,8 @@
 #include "fluid/bindings.glsl"
 #include "fluid/model.glsl"
 const int tile = 32;
-const int most = tile + 4;
-layout(local_size_x = most / 2, local_size_y = most / 2) in;  // One block per invocation
+const int maximum = tile + 4;
+layout(local_size_x = maximum / 2, local_size_y = maximum / 2) in;  // One block per invocation
 layout(std430, binding = poolBinding) readonly restrict buffer PoolBlock { vec4 pool[]; };
 layout(std430, binding = raisedBinding) readonly buffer RaisedBlock { vec4 raisedPool[]; };
 layout(std430, binding = raisedOutBinding) writeonly buffer RaisedOutBlock { vec4 raisedOut[]; };
@@ -17,7 +17,7 @@ uniform ivec4 levels[5];
 uniform int rhsStart, wayStart;  // Element indices as in down.comp; the corrections on the way to finer levels start at
                                  // 0
 
-const int windowStride = most + 2;
+const int windowStride = maximum + 2;
 shared float values[windowStride * windowStride];
 shared float coarseValues[(tile / 2 + 8) * (tile / 2 + 8)];  // Values of the coarser level, in its window
 #include "fluid/solver/block.glsl"

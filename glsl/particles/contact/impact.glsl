@@ -42,8 +42,8 @@ FUNCTION BallImpact ballImpact(BallPath a, BallPath b, float reach) {
   hit.relative = relative;
   hit.speed = -exactDot(relative, normal);
   precise float squaredApproach = hit.speed * hit.speed;
-  precise float least = squaredSpeed * 1e-8f;
-  bool fast = hit.speed > stepData.balls.bounceFrom && squaredApproach > least;
+  precise float minimum = squaredSpeed * 1e-8f;
+  bool fast = hit.speed > stepData.balls.bounceFrom && squaredApproach > minimum;
   bool met = along < 0.0f && discriminant >= 0.0f && hit.time <= stepData.dt && fast;
   hit.time = met ? hit.time : -1.0f;
   return hit;
@@ -68,8 +68,8 @@ FUNCTION bool ballSooner(BallImpact a, BallImpact b, uint tieA, uint tieB) {
 FUNCTION BallPath ballStruck(BallPath a, BallImpact hit, float perMassA, float perMassB) {
   precise float along = (1.0f + stepData.balls.restitution) * hit.speed;
   precise vec3 sliding = hit.relative + hit.normal * hit.speed;
-  precise float most = stepData.balls.friction * along;
-  precise float held = 1.0f - leftByFriction(sliding, most);
+  precise float maximum = stepData.balls.friction * along;
+  precise float held = 1.0f - leftByFriction(sliding, maximum);
   precise float perMasses = perMassA + perMassB;
   precise float part = perMassA * exactReciprocal(perMasses);
   precise vec3 change = (hit.normal * along - sliding * held) * part;

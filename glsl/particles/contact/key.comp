@@ -17,6 +17,6 @@ void main() {
   // Balls that move by more than their radius may pass through each other, which causes a remark.
   precise vec3 way = here.xyz - start.xyz;
   float radius = ballRadius(here.w);
-  precise float most = radius * radius;
-  if (alive && ringPlace(i).y < 0 && exactDot(way, way) > most) status.remark = 1u;
+  precise float maximum = radius * radius;
+  if (alive && ringPlace(i).y < 0 && exactDot(way, way) > maximum) status.remark = 1u;
 }

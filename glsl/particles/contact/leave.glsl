@@ -66,10 +66,10 @@ FUNCTION BallLeaving ballBounce(BallLeaving leaving, BallMotion a, BallMotion b,
 // another reason, as when they were placed inside each other, are not thrown apart.
 FUNCTION vec3 ballLeft(BallLeaving leaving, BallMotion a) {
   precise vec3 change = leaving.velocity - a.velocity;
-  precise float most = stepData.balls.restSpeed * 2.0f + leaving.fastest;
-  precise float squaredMost = most * most;
+  precise float maximum = stepData.balls.restSpeed * 2.0f + leaving.fastest;
+  precise float squaredMost = maximum * maximum;
   float squared = exactDot(change, change);
-  precise vec3 limited = change * (most * exactInverseSqrt(max(squared, 1e-20f))) + a.velocity;
+  precise vec3 limited = change * (maximum * exactInverseSqrt(max(squared, 1e-20f))) + a.velocity;
   return leaving.touches && squared > squaredMost ? limited : leaving.velocity;
 }
 
@@ -78,8 +78,8 @@ FUNCTION vec3 ballLeft(BallLeaving leaving, BallMotion a) {
 // force that is not balanced soon exceeds it.
 FUNCTION bool ballRests(vec3 start, vec3 place, vec3 velocity) {
   precise vec3 way = (place - start) * stepData.balls.perDt;
-  precise float most = stepData.balls.restSpeed * stepData.balls.restSpeed;
-  return exactDot(way, way) < most && exactDot(velocity, velocity) < most;
+  precise float maximum = stepData.balls.restSpeed * stepData.balls.restSpeed;
+  return exactDot(way, way) < maximum && exactDot(velocity, velocity) < maximum;
 }
 FUNCTION vec3 ballIdle(vec3 velocity) {
   precise vec3 slower = velocity * 0.9f;

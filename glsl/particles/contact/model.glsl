@@ -46,8 +46,8 @@ FUNCTION ivec3 ballNextCell(int around) {
 
 // Returns 2 for balls that touch or nearly touch, 1 for balls that may touch within the substep, otherwise 0.
 FUNCTION int ballsNear(vec3 a, vec3 b, float reach) {
-  precise vec3 apart = a - b;
-  float squared = exactDot(apart, apart);
+  precise vec3 separation = a - b;
+  float squared = exactDot(separation, separation);
   precise float squaredReach = reach * reach;
   precise float wide = squaredReach * 1.1025f;  // 1.1025 is 1.05 squared
   precise float touch = squaredReach * 1.0201f;
@@ -69,11 +69,11 @@ struct BallOverlap {
 // Returns the overlap of ball a with ball b. `first` is true if a has the lower index; balls at the same position then
 // get opposite normals.
 FUNCTION BallOverlap ballOverlap(vec3 a, vec3 b, float reach, bool first) {
-  precise vec3 apart = a - b;
-  float squared = exactDot(apart, apart);
+  precise vec3 separation = a - b;
+  float squared = exactDot(separation, separation);
   bool same = squared < 1e-20f;
   float inverse = exactInverseSqrt(max(squared, 1e-20f));
-  precise vec3 normal = apart * inverse;
+  precise vec3 normal = separation * inverse;
   precise float depth = reach - squared * inverse;
   BallOverlap o;
   o.normal = same ? vec3(0.0f, first ? -1.0f : 1.0f, 0.0f) : normal;

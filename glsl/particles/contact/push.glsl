@@ -12,8 +12,8 @@ FUNCTION vec3 ballPush(Ball a, Ball b, float perMass, bool first) {
   precise vec3 way = (vec3(a.place) - vec3(a.start)) - (vec3(b.place) - vec3(b.start));
   float through = exactDot(way, o.normal);
   precise vec3 slid = way - o.normal * through;
-  precise float most = stepData.balls.friction * max(o.depth, 0.0f);
-  precise float held = 1.0f - leftByFriction(slid, most);
+  precise float maximum = stepData.balls.friction * max(o.depth, 0.0f);
+  precise float held = 1.0f - leftByFriction(slid, maximum);
   precise float shares = a.place.w + b.place.w;
   precise float part = perMass * exactReciprocal(shares);
   precise vec3 push = (o.normal * o.depth - slid * held) * part;

@@ -12,7 +12,7 @@ std::filesystem::path checksFile(const PiecePlan& plan) {
   return plan.folder / "checks.part.json";
 }
 
-std::function<void(const golden::CheckResult&)> toldBy(frame::Progress& progress) {
+std::function<void(const golden::CheckResult&)> reportedBy(frame::Progress& progress) {
   return [&progress](const golden::CheckResult& check) {
     progress.check(check.what, check.frame, check.value, check.passed);
   };
@@ -27,7 +27,7 @@ bool isOfPicture(const scene::Check& check) {
 std::optional<Measurements> checksOfSimulation(const PiecePlan& plan, scene::Scene& scene,
                                                frame::Progress& progress) {
   if (!progress.tellsEvents() || scene.checks.empty()) return std::nullopt;
-  return Measurements(scene, plan.allFrames(), {checksFile(plan), checksFile(plan)}, toldBy(progress));
+  return Measurements(scene, plan.allFrames(), {checksFile(plan), checksFile(plan)}, reportedBy(progress));
 }
 
 std::optional<Measurements> checksOfPiece(const PiecePlan& plan, std::size_t piece, scene::Scene& scene,
@@ -41,7 +41,8 @@ std::optional<Measurements> checksOfPiece(const PiecePlan& plan, std::size_t pie
   if (!last) own.pop_back();
   // Only the last piece evaluates checks of states, and they need the frames of the whole run. Other pieces
   // evaluate only "not-blank", which needs the pictures of the piece.
-  return Measurements(scene, last ? plan.allFrames() : own, {checksFile(plan), {}}, toldBy(progress), last);
+  return Measurements(scene, last ? plan.allFrames() : own, {checksFile(plan), {}}, reportedBy(progress),
+                      last);
 }
 
 }  // namespace simreel::batch

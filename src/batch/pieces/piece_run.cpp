@@ -36,7 +36,7 @@ int runStep(const PiecePlan& plan, const Step& step, const gl::Context& context,
 
 /// Runs steps in parallel. Throws the first error.
 void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const LocalPieces& how) {
-  WorkForce force;
+  WorkerPool force;
   force.workers = std::min(how.workers, steps.size());
   force.items = steps.size();
   gl::shareProcessors(force.workers);
@@ -74,7 +74,7 @@ void runSteps(const PiecePlan& plan, const std::vector<Step>& steps, const Local
   };
   force.alone = [](std::size_t /*item*/) { return false; };
   force.interrupted = [] { return frame::interruptSignal(); };
-  if (!steps.empty()) employ(force);
+  if (!steps.empty()) runWorkers(force);
   if (mistake && frame::interruptSignal() == 0) throw UserError(*mistake);
 }
 

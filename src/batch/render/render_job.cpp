@@ -86,7 +86,7 @@ void RenderJob::chooseFrames() {
       fail(ExitCode::usage, "--frames none draws nothing; name the states to keep: --checkpoint-at 0,500");
     return;
   }
-  if (request_.from.empty() || request_.mayDoWithout) {
+  if (request_.from.empty() || request_.checkpointOptional) {
     frames_ = chosenFrames(request_.frames, scene_);
     return;
   }
@@ -172,7 +172,7 @@ frame::SequenceResult RenderJob::run(const gl::Context& context, frame::Progress
   }
   const frame::RunInfo run = runInfo(context);
   const auto sink = frame::openSink(output_, request_.existing, run, frames_, request_.streamFormat);
-  frame::BesideFrames beside;
+  frame::SequenceOptions beside;
   if (fields_) beside.fields = &*fields_;
   beside.counts = request_.counts;
   beside.began = began;
@@ -181,7 +181,7 @@ frame::SequenceResult RenderJob::run(const gl::Context& context, frame::Progress
   beside.checkpoints.run = run;
   beside.checkpoints.keep = kept_;
   beside.checkpoints.from = request_.from;
-  beside.checkpoints.mayDoWithout = request_.mayDoWithout;
+  beside.checkpoints.checkpointOptional = request_.checkpointOptional;
   if (request_.checkpoint) beside.checkpoints.seconds = *request_.checkpoint;
   beside.watch = watch;
   beside.layers = layers_;

@@ -32,7 +32,7 @@ struct RenderRequest {
   std::set<int> checkpointAt;        ///< frames whose checkpoints remain after the run
   std::filesystem::path from;        ///< checkpoint to start from; if empty, the run starts at the scene's
                                      ///< start
-  bool mayDoWithout = false;         ///< true to start at the scene's start if `from` cannot be used
+  bool checkpointOptional = false;   ///< true to start at the scene's start if `from` cannot be used
   std::string streamFormat = "rgba";
   std::vector<draw::Layer> layers;  ///< layers of OpenEXR pictures in addition to colour
   std::optional<int> bits;          ///< number of bits per value: 8 or 16 in PNG, 16 or 32 for colour in

@@ -133,7 +133,7 @@ std::string Slurm::submitOne(const Work& work, const std::string& array, std::si
       "--output=" + (folder_ / (work.name + (array.empty() ? ".%j.log" : ".%A_%a.log"))).string()};
   if (!array.empty()) words.push_back("--array=" + array);
   if (!work.after.empty()) {
-    std::string after = work.however ? "--dependency=afterany" : "--dependency=afterok";
+    std::string after = work.afterAnyResult ? "--dependency=afterany" : "--dependency=afterok";
     for (const std::string& id : work.after) after += ":" + id;
     words.insert(words.end(), {after, "--kill-on-invalid-dep=yes"});
   }

@@ -21,7 +21,7 @@ class Slurm {
                                           ///< appended
     std::vector<std::size_t> numbers;     ///< item numbers in ascending order; empty for a single job
     std::vector<std::string> after = {};  ///< ids of jobs that must succeed before this work starts
-    bool however = false;                 ///< true if the jobs in `after` only have to end, with any result
+    bool afterAnyResult = false;          ///< true if the jobs in `after` only have to end, with any result
   };
   /// Submits the work and returns the jobs' ids. Splits arrays that are too long for the cluster. Throws
   /// UserError(inputOutput) with sbatch's message.

@@ -12,8 +12,8 @@
 namespace simreel::batch {
 
 Measurements::Measurements(scene::Scene& scene, std::span<const int> drawn, CheckFiles files,
-                           std::function<void(const golden::CheckResult&)> hear, bool ends)
-    : scene_(scene), files_(std::move(files)), hear_(std::move(hear)) {
+                           std::function<void(const golden::CheckResult&)> onResult, bool ends)
+    : scene_(scene), files_(std::move(files)), onResult_(std::move(onResult)) {
   const auto isDrawn = [&](int frame) { return std::binary_search(drawn.begin(), drawn.end(), frame); };
   tested_ = scene.testFrames();
   // The check "not-blank" needs pictures, so frames that are not drawn are removed from the check's frames.
@@ -37,8 +37,8 @@ void Measurements::begin(const sim::World& world) {
   std::sort(wanted_.begin(), wanted_.end());
   if (!files_.earlier.empty()) checker_->resume(readChecks(files_.earlier));
   const auto earlier = checker_->results();
-  heard_ = earlier.size();
-  for (const golden::CheckResult& result : earlier) told_.insert({result.frame, result.what});
+  reportedCount_ = earlier.size();
+  for (const golden::CheckResult& result : earlier) reported_.insert({result.frame, result.what});
 }
 
 bool Measurements::wants(int frame) const {
@@ -69,7 +69,7 @@ void Measurements::drawn(int frame, const frame::Image& image) {
   news();
 }
 
-void Measurements::lookAtKept(const std::function<std::filesystem::path(int frame)>& fileOf) {
+void Measurements::evaluateExisting(const std::function<std::filesystem::path(int frame)>& fileOf) {
   const bool looks = std::any_of(scene_.checks.begin(), scene_.checks.end(),
                                  [](const scene::Check& check) { return check.what == "not-blank"; });
   for (const int frame : tested_) {
@@ -83,12 +83,12 @@ void Measurements::lookAtKept(const std::function<std::filesystem::path(int fram
 
 void Measurements::news() {
   const auto results = checker_->results();
-  if (results.size() == heard_) return;
-  heard_ = results.size();
+  if (results.size() == reportedCount_) return;
+  reportedCount_ = results.size();
   if (!files_.kept.empty()) writeFileAtomically(files_.kept, checksText(results), NameSync::later);
-  if (!hear_) return;
+  if (!onResult_) return;
   for (const golden::CheckResult& result : results)
-    if (told_.insert({result.frame, result.what}).second) hear_(result);
+    if (reported_.insert({result.frame, result.what}).second) onResult_(result);
 }
 
 std::vector<golden::CheckResult> Measurements::checks() const {

@@ -35,10 +35,10 @@ class Measurements final : public frame::FrameWatch {
  public:
   /// Checks for which the scene gives no frames are evaluated at the tested frames that are drawn and, if
   /// `ends` is true, at the last frame. Frames after the last one are not evaluated. Removes frames without
-  /// a picture from the "not-blank" checks of `scene`, which must outlive this object. `hear`: called with
-  /// each new result, but not with results of an earlier run.
+  /// a picture from the "not-blank" checks of `scene`, which must outlive this object. `onResult`: called
+  /// with each new result, but not with results of an earlier run.
   Measurements(scene::Scene& scene, std::span<const int> drawn, CheckFiles files,
-               std::function<void(const golden::CheckResult&)> hear = {}, bool ends = true);
+               std::function<void(const golden::CheckResult&)> onResult = {}, bool ends = true);
 
   void begin(const sim::World& world) override;
   [[nodiscard]] bool wants(int frame) const override;
@@ -47,7 +47,7 @@ class Measurements final : public frame::FrameWatch {
 
   /// Evaluates pictures that exist from an earlier attempt. Must be called after the run. `fileOf`: returns
   /// the file of a frame. Throws UserError if a picture cannot be read.
-  void lookAtKept(const std::function<std::filesystem::path(int frame)>& fileOf);
+  void evaluateExisting(const std::function<std::filesystem::path(int frame)>& fileOf);
 
   [[nodiscard]] std::vector<golden::CheckResult> checks() const;
   [[nodiscard]] const std::vector<MeasuredQuantity>& quantities() const { return quantities_; }
@@ -59,11 +59,11 @@ class Measurements final : public frame::FrameWatch {
   std::vector<int> tested_;  ///< frames that are both drawn and compared
   std::vector<int> wanted_;  ///< frames whose state is needed, ascending
   CheckFiles files_;
-  std::function<void(const golden::CheckResult&)> hear_;
+  std::function<void(const golden::CheckResult&)> onResult_;
   std::optional<golden::Checker> checker_;
   std::set<int> drawn_;  ///< tested frames that have been drawn
-  std::size_t heard_ = 0;
-  std::set<std::pair<int, std::string>> told_;
+  std::size_t reportedCount_ = 0;
+  std::set<std::pair<int, std::string>> reported_;
   std::vector<MeasuredQuantity> quantities_;
 };
 

@@ -173,7 +173,7 @@ void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, 
   request.existing = frame::Existing::resume;
   request.command = command;
   if (plan.sharedFrame && pathExists(plan.sharedCheckpoint())) request.from = plan.sharedCheckpoint();
-  request.mayDoWithout = true;
+  request.checkpointOptional = true;
   RenderJob rendering(std::move(request));
   if (jobHash(rendering.scene().hash, plan.frames, plan.fields) != plan.jobs[job].hash)
     fail(ExitCode::usage, "{} was changed after the sweep was planned; plan it again with --overwrite",
@@ -185,7 +185,7 @@ void render(const SweepPlan& plan, std::size_t job, const gl::Context& context, 
   const auto done = rendering.run(context, progress, began, &measurements);
   end.signal = done.signal;
   if (end.signal != 0) return;
-  measurements.lookAtKept([&](int frame) { return rendering.output().file(frame); });
+  measurements.evaluateExisting([&](int frame) { return rendering.output().file(frame); });
   end.result.frames = done.frames;
   end.result.checks = measurements.checks();
   end.result.quantities = measurements.quantities();

@@ -89,7 +89,7 @@ namespace {
 /// Simulates the common frames in a worker process, like a job. If the simulation fails, the jobs simulate
 /// these frames themselves, so the error only causes a warning.
 void shareWork(const SweepPlan& plan, const LocalRun& how) {
-  WorkForce force;
+  WorkerPool force;
   force.items = 1;
   force.work = [&](WorkerLine& line) {
     const gl::Context context(how.on.ofWorker(line.place()));
@@ -111,7 +111,7 @@ void shareWork(const SweepPlan& plan, const LocalRun& how) {
   };
   force.alone = [](std::size_t /*item*/) { return false; };
   force.interrupted = [] { return frame::interruptSignal(); };
-  employ(force);
+  runWorkers(force);
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ void shareWork(const SweepPlan& plan, const LocalRun& how) {
 int runJobs(const SweepPlan& plan, const std::vector<std::size_t>& jobs, const LocalRun& how) {
   if (jobs.size() > 1 && lacksShared(plan)) shareWork(plan, how);
   if (frame::interruptSignal() != 0) return frame::interruptSignal();
-  WorkForce force;
+  WorkerPool force;
   force.workers = std::max<std::size_t>(1, std::min(how.workers, jobs.size()));
   force.items = jobs.size();
   if (force.workers > 1) gl::shareProcessors(force.workers);
@@ -153,7 +153,7 @@ int runJobs(const SweepPlan& plan, const std::vector<std::size_t>& jobs, const L
   };
   force.alone = [](std::size_t /*item*/) { return false; };
   force.interrupted = [] { return frame::interruptSignal(); };
-  employ(force);
+  runWorkers(force);
   return frame::interruptSignal();
 }
 

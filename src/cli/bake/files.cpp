@@ -176,7 +176,7 @@ bool simulateTo(sim::World& world, int frame, int files) {
     for (int next = std::min(world.frame() + 1, frame); next <= frame; ++next) {
       frame::throwIfInterrupted();
       if (next < frame)
-        world.passTo(next);
+        world.advanceUndrawn(next);
       else
         world.advanceTo(next);
       frame::checkState(world);

@@ -35,12 +35,13 @@ std::string componentText(const golden::ArrayDifference& d, std::size_t i) {
   const auto value = [](std::uint32_t bits) {
     return fmt::format("{:.9g} (0x{:08x})", std::bit_cast<float>(bits), bits);
   };
-  std::string apart = "equal";
+  std::string distance = "equal";
   if (d.here[i] != d.there[i]) {
     const auto ulps = golden::ulpsBetween(d.here[i], d.there[i]);
-    apart = ulps ? fmt::format("{} ulp", *ulps) : std::string("not a number");
+    distance = ulps ? fmt::format("{} ulp", *ulps) : std::string("not a number");
   }
-  return fmt::format("  {} {:<32} {:<32} {}\n", components[i], value(d.here[i]), value(d.there[i]), apart);
+  return fmt::format("  {} {:<32} {:<32} {}\n", components[i], value(d.here[i]), value(d.there[i]),
+                     distance);
 }
 
 std::string arrayText(const golden::DifferentArray& array) {

@@ -33,11 +33,11 @@ struct ExplainOptions {
 /// Returns lines with path, value and origin in columns. If a path or value is too wide, the columns after
 /// it are shifted.
 std::string explainedText(const std::vector<scene::ExplainedValue>& values) {
-  constexpr std::size_t mostPath = 44, mostValue = 36;
+  constexpr std::size_t maxPath = 44, maxValue = 36;
   std::size_t path = 0, value = 0;
   for (const scene::ExplainedValue& one : values) {
-    if (const std::size_t size = textColumns(one.path); size <= mostPath) path = std::max(path, size);
-    if (const std::size_t size = textColumns(one.value); size <= mostValue) value = std::max(value, size);
+    if (const std::size_t size = textColumns(one.path); size <= maxPath) path = std::max(path, size);
+    if (const std::size_t size = textColumns(one.value); size <= maxValue) value = std::max(value, size);
   }
   std::string out;
   for (const scene::ExplainedValue& one : values) {
@@ -72,8 +72,8 @@ void explain(const ExplainOptions& o) {
   const std::vector<scene::Override> changes = o.scene.changes();
   auto values = scene::explainScene(scene, o.scene.file, changes, sim::kinds());
   std::erase_if(values, [&](const scene::ExplainedValue& one) {
-    const bool there = o.only.empty() || one.path == o.only || one.path.starts_with(o.only + ".");
-    return !there || (o.changed && one.standard);
+    const bool selected = o.only.empty() || one.path == o.only || one.path.starts_with(o.only + ".");
+    return !selected || (o.changed && one.standard);
   });
   printText(o.format == "json" ? explainedJson(values) : explainedText(values));
 }

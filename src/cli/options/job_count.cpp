@@ -10,13 +10,13 @@
 namespace simreel::cli {
 
 std::size_t jobCount(const std::string& jobs) {
-  constexpr int most = 256;
-  if (jobs == "auto") return std::min<std::size_t>(processorCount(), most);
+  constexpr int maximum = 256;
+  if (jobs == "auto") return std::min<std::size_t>(processorCount(), maximum);
   int count = 0;
   const char* const end = jobs.data() + jobs.size();
   const auto read = std::from_chars(jobs.data(), end, count);
-  if (read.ec != std::errc() || read.ptr != end || count < 1 || count > most)
-    fail(ExitCode::usage, "--jobs takes a number from 1 to {}, or auto, not \"{}\"", most, jobs);
+  if (read.ec != std::errc() || read.ptr != end || count < 1 || count > maximum)
+    fail(ExitCode::usage, "--jobs takes a number from 1 to {}, or auto, not \"{}\"", maximum, jobs);
   return static_cast<std::size_t>(count);
 }
 

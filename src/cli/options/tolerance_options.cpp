@@ -13,7 +13,7 @@ namespace simreel::cli {
 namespace {
 
 std::string flagName(const char* field) {
-  return "--" + scene::apart(field, '-');
+  return "--" + scene::splitCamelCase(field, '-');
 }
 
 }  // namespace

@@ -169,8 +169,8 @@ void submitSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& j
   if (jobs.empty()) return;
   batch::Slurm::Work work{.name = slurmWork, .arguments = {"sweep", "job"}, .numbers = jobs};
   const std::string folder = fs::absolute(plan.folder).lexically_normal().string();
-  work.however = true;  // Jobs can run without the state that they share, so they start even if computing
-                        // it failed.
+  work.afterAnyResult = true;  // Jobs can run without the state that they share, so they start even if
+                               // computing it failed.
   if (how.on.deviceCount() > 1)
     fail(ExitCode::usage, "--device {}: with --slurm the cluster gives each job its device", how.on.device);
   if (jobs.size() > 1 && batch::lacksShared(plan))

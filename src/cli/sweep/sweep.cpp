@@ -50,7 +50,7 @@ void checkOptions(const SweepOptions& o) {
 void shareRanges(batch::SweepPlan& plan, const std::string& text, const SweepOptions& o) {
   // The ranges are measured in a separate process, because jobs are later forked from the current process,
   // which must not have had a GL context by then.
-  constexpr Allotment unlimited{std::size_t{1} << 40, 1 << 30};
+  constexpr ProcessLimits unlimited{std::size_t{1} << 40, 1 << 30};
   std::string lines;
   try {
     lines = runIsolated(unlimited, [&] {

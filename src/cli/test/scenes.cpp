@@ -150,7 +150,7 @@ class SceneRun {
 
   void testBeside() {
     gl::shareProcessors(jobs_);
-    WorkForce force;
+    WorkerPool force;
     force.workers = jobs_;
     force.items = scenes_.size();
     force.work = [this](WorkerLine& line) { testAsWorker(line); };
@@ -184,7 +184,7 @@ class SceneRun {
       golden::addLosses(losses_[item], outcome);
       addOutcome(std::move(outcome));
     };
-    force.patience = o_.timeout;
+    force.itemTimeout = o_.timeout;
     // A renamed scene takes over the baseline of a scene that no longer exists. If this may happen, scenes
     // are tested one at a time, in order, so that the first matching scene gets the baseline.
     const bool mayMove = options_.update != golden::Update::none && !options_.orphans.empty();
@@ -192,7 +192,7 @@ class SceneRun {
       return mayMove && !pathExists(golden::baselineFolder(scenes_[item].file));
     };
     force.interrupted = [] { return frame::interruptSignal(); };
-    employ(force);
+    runWorkers(force);
     signal_ = frame::interruptSignal();
   }
 

@@ -47,9 +47,9 @@ shader::ExactView exactView(const View& view, const scene::Camera& camera, glm::
 
 namespace {
 
-/// Returns nearOfGround() for orthographic views. The ray through a pixel starts o.y above the eye's height
-/// and descends by -forward.y per metre. A ground whose height relative to the eye is `down` therefore has
-/// the depth (down - o.y) / forward.y.
+/// Returns groundNearnessOf() for orthographic views. The ray through a pixel starts o.y above the eye's
+/// height and descends by -forward.y per metre. A ground whose height relative to the eye is `down`
+/// therefore has the depth (down - o.y) / forward.y.
 glm::vec4 nearOfLevel(const shader::ExactView& view, float down) {
   const float steep = view.forward.y, perSpan = view.forward.w;
   if (std::abs(steep) < 1e-6F) return {1e30F, 0, 0, 0};
@@ -74,12 +74,12 @@ float depthOf(const shader::ExactView& view, float near) {
 
 std::optional<glm::dvec2> pixelOf(const shader::ExactView& view, const glm::dvec3& place) {
   const glm::dvec3 from = place - glm::dvec3(glm::vec3(view.eye));
-  if (!isParallel(view)) return pixelTowards(view, from);
+  if (!isParallel(view)) return pixelOfDirection(view, from);
   return 0.5 * glm::dvec2(view.size) + glm::dvec2(glm::dot(from, glm::dvec3(glm::vec3(view.across))),
                                                   glm::dot(from, glm::dvec3(glm::vec3(view.down))));
 }
 
-std::optional<glm::dvec2> pixelTowards(const shader::ExactView& view, const glm::dvec3& direction) {
+std::optional<glm::dvec2> pixelOfDirection(const shader::ExactView& view, const glm::dvec3& direction) {
   const double depth = glm::dot(direction, glm::dvec3(glm::vec3(view.forward)));
   if (isParallel(view) || !(depth > 1e-9)) return std::nullopt;
   return glm::dvec2(glm::dot(direction, glm::dvec3(glm::vec3(view.across))),
@@ -99,21 +99,21 @@ glm::ivec2 rowsTowardsGround(const shader::ExactView& view, float height, int st
   const int count = (view.rows.y - view.rows.x + step - 1) / step;
   glm::ivec2 rows(0);
   for (int row = 0; row < count; ++row) {
-    float most = -1;  // max of side * y over the corners of the row
+    float maximum = -1;  // max of side * y over the corners of the row
     for (const int corner : {0, 1, 2, 3}) {
       const auto x = static_cast<float>((corner & 1) * view.size.x);
       const auto y = static_cast<float>(view.rows.x + (row + (corner >> 1)) * step);
-      most = std::max(most, side * (view.ray.y + view.rayAcross.y * x + view.rayDown.y * y));
+      maximum = std::max(maximum, side * (view.ray.y + view.rayAcross.y * x + view.rayDown.y * y));
     }
     constexpr float slack = 1e-4F;  // tolerance for rounding errors
-    if (most < -slack) continue;
+    if (maximum < -slack) continue;
     if (rows.y == 0) rows.x = row * step;
     rows.y = (row + 1) * step;
   }
   return rows;
 }
 
-glm::vec4 nearOfGround(const shader::ExactView& view, float height) {
+glm::vec4 groundNearnessOf(const shader::ExactView& view, float height) {
   // A ray of depth 1 descends by -y, so the ground has the depth (height - eye.y) / y. Therefore near /
   // depth is affine in the pixel position.
   const float down = height - view.eye.y;
@@ -129,7 +129,7 @@ glm::vec4 nearOfGround(const shader::ExactView& view, float height) {
   return {corner + 0.5F * (across + below), across, below, half + slack * terms};
 }
 
-glm::vec3 raysAside(const shader::ExactView& view) {
+glm::vec3 rayBounds(const shader::ExactView& view) {
   constexpr float slack = 1e-5F;
   const auto size = glm::vec2(view.size);
   const glm::vec3 across = glm::abs(glm::vec3(view.rayAcross));

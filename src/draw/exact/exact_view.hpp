@@ -25,12 +25,12 @@ namespace simreel::draw {
 /// Returns the point at depth `depth` (m) on the ray through a picture position (pixels).
 [[nodiscard]] glm::vec3 placeOf(const shader::ExactView& view, glm::vec2 pixel, float depth);
 
-/// pixelOf() returns the picture position (pixels) of a point (m), pixelTowards() of an infinitely distant
-/// point in a direction. Both return nothing if the point is not in front of the eye. pixelTowards() also
-/// returns nothing for orthographic views.
+/// pixelOf() returns the picture position (pixels) of a point (m), pixelOfDirection() of an infinitely
+/// distant point in a direction. Both return nothing if the point is not in front of the eye.
+/// pixelOfDirection() also returns nothing for orthographic views.
 [[nodiscard]] std::optional<glm::dvec2> pixelOf(const shader::ExactView& view, const glm::dvec3& place);
-[[nodiscard]] std::optional<glm::dvec2> pixelTowards(const shader::ExactView& view,
-                                                     const glm::dvec3& direction);
+[[nodiscard]] std::optional<glm::dvec2> pixelOfDirection(const shader::ExactView& view,
+                                                         const glm::dvec3& direction);
 
 /// Returns the range of the band's pixel rows whose rays may hit a ground plane at `height` (m): first row
 /// (x, inclusive) and last row (y, exclusive). Rows count from the band's first row. Both limits are
@@ -40,9 +40,9 @@ namespace simreel::draw {
 /// Returns the nearness of a ground plane at `height` (m). x: nearness at the centre of the first pixel. y
 /// and z: increase of the nearness per pixel to the right and down. w: max difference of nearness between a
 /// pixel's samples and centre, including rounding errors.
-[[nodiscard]] glm::vec4 nearOfGround(const shader::ExactView& view, float height);
+[[nodiscard]] glm::vec4 groundNearnessOf(const shader::ExactView& view, float height);
 /// Returns bounds of the ray directions, scaled to depth 1 and multiplied by the near distance. x: max |x|
 /// and |z| of any ray. y and z: max difference of x and of z within a pixel, including rounding errors.
-[[nodiscard]] glm::vec3 raysAside(const shader::ExactView& view);
+[[nodiscard]] glm::vec3 rayBounds(const shader::ExactView& view);
 
 }  // namespace simreel::draw

@@ -4,11 +4,12 @@
 
 namespace simreel::draw {
 
-void GroupCounts::fill(const gl::Buffer& counts, const Order& order, const gl::Buffer& groups) const {
+void GroupCounts::fill(const gl::Buffer& counts, const CountConversion& order,
+                       const gl::Buffer& groups) const {
   kernel_.dispatch(order.counts.value, {.order = order, .counters = counts, .groups = groups});
 }
 
-void GroupCounts::prepareLists(const gl::Buffer& counts, const Order& order,
+void GroupCounts::prepareLists(const gl::Buffer& counts, const CountConversion& order,
                                const gl::Buffer& groups) const {
   if (gl::softwareDriver()) fill(counts, order, groups);
 }

@@ -9,17 +9,17 @@ namespace simreel::draw {
 
 /// Returns the min number of workgroups that share the tiles of a large primitive. With fewer workgroups, a
 /// loop could exceed 65,535 iterations, after which some drivers silently end it.
-[[nodiscard]] inline unsigned leastParts(glm::ivec2 size, int samples) {
+[[nodiscard]] inline unsigned minWorkgroups(glm::ivec2 size, int samples) {
   constexpr int maxTurns = 60000;
   const int tiles = ((size.x + 15) / 8) * ((size.y + 15) / 8);
   const int each = maxTurns / (samples + 1);
   return static_cast<unsigned>((tiles + each - 1) / each);
 }
 
-/// Returns the number of workgroups that share the tiles of a large primitive. This is leastParts(), but at
-/// least 4 on software drivers and 32 on GPUs.
-[[nodiscard]] inline unsigned partsFor(glm::ivec2 size, int samples) {
-  return std::max(gl::softwareDriver() ? 4U : 32U, leastParts(size, samples));
+/// Returns the number of workgroups that share the tiles of a large primitive. This is minWorkgroups(), but
+/// at least 4 on software drivers and 32 on GPUs.
+[[nodiscard]] inline unsigned workgroupsFor(glm::ivec2 size, int samples) {
+  return std::max(gl::softwareDriver() ? 4U : 32U, minWorkgroups(size, samples));
 }
 
 }  // namespace simreel::draw

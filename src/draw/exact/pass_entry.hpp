@@ -19,16 +19,16 @@ class Pass {
   [[nodiscard]] virtual bool on() const { return true; }
   virtual void run() = 0;
   /// Runs the pass again to restore the contents of a band. May write only resources of the band (ofBands).
-  virtual void again() { run(); }
+  virtual void restoreBand() { run(); }
   /// Prepares the pass to store the light and layers that the caller has requested (ExactFrame::wanted).
   virtual void asked() {}
 };
 using PassMaker = std::unique_ptr<Pass>(ExactFrame& frame);
 
-/// A list of names with a fixed capacity of `most`.
+/// A list of names with a fixed capacity of `maximum`.
 class Names {
  public:
-  static constexpr std::size_t most = 8;
+  static constexpr std::size_t maximum = 8;
   constexpr Names(std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names) names_.at(count_++) = name;
   }
@@ -39,7 +39,7 @@ class Names {
   }
 
  private:
-  std::array<std::string_view, most> names_{};
+  std::array<std::string_view, maximum> names_{};
   std::size_t count_ = 0;
 };
 

@@ -7,10 +7,11 @@
 namespace simreel::draw {
 
 // Factories of the passes, defined in draw/exact/passes.
-PassMaker makeSkins, makeThings, makeRayScene, makeJoined, makeLampMaps, makeSunMap, makeMirrors, makeView,
-    makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended, makeSurfaces,
-    makeRayLight, makeLayers, makeMirrored, makeReflected, makeBehindGlass, makeFarGlass, makeNearGlass,
-    makeKeptLight, makeGlows, makeMean, makeKeptGlow, makeFieldsBehind, makeScatter, makeFilm;
+PassMaker makeSkins, makeThings, makeRayScene, makeJoinedSurfaces, makeLampMaps, makeSunMap, makeMirrors,
+    makeView, makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended,
+    makeSurfaces, makeRayLight, makeLayers, makeMirrored, makeReflected, makeBehindGlass, makeFarGlass,
+    makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow, makeFieldsBehind, makeScatter,
+    makeFilm;
 
 /// Resources that hold only the current band of a picture. A pass with Each::view ends the loop over the
 /// bands. If later passes read one of these resources, the passes that wrote it run again, band by band.
@@ -25,7 +26,7 @@ inline constexpr PassEntry exactPasses[] = {
     {"things", Each::moment, nullptr, {"drawables"}, {"things", "lights", "view"}, {}, makeThings},
     {"mirrors", Each::moment, nullptr, {"things", "skins"}, {"mirrors"}, {}, makeMirrors},
     {"ray scene", Each::moment, "rays", {"things", "lights", "skins"}, {"ray scene"}, {}, makeRayScene},
-    {"joined", Each::moment, nullptr, {"things"}, {"joined"}, {}, makeJoined},
+    {"joined", Each::moment, nullptr, {"things"}, {"joined"}, {}, makeJoinedSurfaces},
     {"lamp maps", Each::moment, "shadow", {"things", "joined", "lights"}, {"lamp maps"}, {}, makeLampMaps},
     {"sun map", Each::moment, "shadow", {"things", "joined"}, {"sun map"}, {}, makeSunMap},
 

@@ -9,10 +9,10 @@ namespace simreel::draw {
 /// Ensures that the buffer has at least `bytes`. Returns true if the buffer was replaced, which loses the
 /// contents. The new buffer may have the same GL name.
 inline bool reserve(gl::Buffer& buffer, const char* label, std::size_t bytes) {
-  constexpr std::size_t least = 256;
+  constexpr std::size_t minimum = 256;
   if (buffer.name() != 0 && buffer.bytes() >= bytes) return false;
   buffer = {};
-  buffer = gl::Buffer(label, std::max(bytes, least));
+  buffer = gl::Buffer(label, std::max(bytes, minimum));
   return true;
 }
 

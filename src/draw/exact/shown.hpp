@@ -69,7 +69,7 @@ struct ShadeVariant {
 /// (GROUND_BELOW).
 struct ThingVariant {
   ShadeVariant shade;
-  gl::Flag<"GROUND_BELOW"> groundBelow;
+  gl::Flag<"GROUND_BELOW"> stageGroundHeight;
 };
 
 /// Returns the variant of a kernel that computes `layer`. 0 selects light. i selects layer i of
@@ -83,7 +83,7 @@ struct ThingVariant {
     variant.shade.shown = layer;
   }
   if (smooth) return variant;
-  variant.groundBelow = false;
+  variant.stageGroundHeight = false;
   variant.shade.groundReflective = false;
   return variant;
 }

@@ -27,12 +27,13 @@ constexpr int groupItems = 64;
 std::size_t samplesOf(const std::string& label, glm::ivec2 size, int samples) {
   const std::size_t all = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                           static_cast<std::size_t>(samples);
-  const std::size_t most = Visibility::maxSamples();
-  if (all > most)
+  const std::size_t maximum = Visibility::maxSamples();
+  if (all > maximum)
     fail(ExitCode::device,
-         "{} of {}x{} pixels with {} samples: the exact rasterizer holds {} samples on this device "
+         "{} of {}x{} pixels with {} samples each exceeds the exact rasterizer's limit of {} samples on "
+         "this device "
          "(GL_MAX_TEXTURE_BUFFER_SIZE); lower \"size\" or \"samples\", or set \"rasterizer\" to \"driver\"",
-         label, size.x, size.y, samples, most);
+         label, size.x, size.y, samples, maximum);
   return (all + 3) / 4 * 4;
 }
 
@@ -41,9 +42,9 @@ std::size_t samplesOf(const std::string& label, glm::ivec2 size, int samples) {
 SampleLayout sampleLayout() {
   const bool atomics = gl::limits().atomics64;
   const char* asked = std::getenv("SIMREEL_SAMPLE_LAYOUT");
-  if (asked == nullptr || *asked == 0) return atomics ? SampleLayout::wholes : SampleLayout::apart;
+  if (asked == nullptr || *asked == 0) return atomics ? SampleLayout::wholes : SampleLayout::separate;
   const std::string name = asked;
-  if (name == "apart") return SampleLayout::apart;
+  if (name == "apart") return SampleLayout::separate;
   if (name == "pairs") return SampleLayout::pairs;
   if (name != "wholes")
     fail(ExitCode::usage, "SIMREEL_SAMPLE_LAYOUT is \"apart\", \"pairs\" or \"wholes\", not \"{}\"", name);
@@ -107,9 +108,9 @@ std::size_t Visibility::maxSamples() {
 Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, bool ids, bool parallel)
     : size_(size),
       samples_(samples),
-      layout_(ids ? sampleLayout() : SampleLayout::apart),
+      layout_(ids ? sampleLayout() : SampleLayout::separate),
       parallel_(parallel) {
-  const bool together = layout_ != SampleLayout::apart;
+  const bool together = layout_ != SampleLayout::separate;
   const std::size_t words = together ? 2 : 1;
   near_ =
       gl::Buffer("what is nearest on " + label, samplesOf(label, size, samples) * words * sizeof(GLuint));
@@ -126,11 +127,11 @@ Visibility::Visibility(const std::string& label, glm::ivec2 size, int samples, b
 void Visibility::clear() const {
   // On some compute GPUs a kernel clears 50 times as fast as glClearNamedBufferData. On software drivers
   // the kernel is not used, because glClearNamedBufferData is a plain memory fill there.
-  constexpr GLuint most = 0xffffffffU;
+  constexpr GLuint maximum = 0xffffffffU;
   if (!clear_) {
-    glClearNamedBufferData(near_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
+    glClearNamedBufferData(near_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &maximum);
     if (ids_.name() != 0)
-      glClearNamedBufferData(ids_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &most);
+      glClearNamedBufferData(ids_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &maximum);
     return;
   }
   const int quads = static_cast<int>(near_.bytes() / 16);
@@ -170,14 +171,14 @@ std::vector<GLuint> Visibility::everyOther(std::size_t first) const {
 }
 
 std::vector<GLuint> Visibility::readKeys() const {
-  if (layout_ != SampleLayout::apart) return everyOther(1);
+  if (layout_ != SampleLayout::separate) return everyOther(1);
   auto keys = near_.readAll<GLuint>();
   keys.resize(count());
   return keys;
 }
 
 std::vector<GLuint> Visibility::readNumbers() const {
-  if (layout_ != SampleLayout::apart) return everyOther(0);
+  if (layout_ != SampleLayout::separate) return everyOther(0);
   auto numbers = ids_.readAll<GLuint>();
   numbers.resize(count());
   return numbers;

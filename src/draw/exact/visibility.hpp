@@ -12,18 +12,18 @@
 
 namespace simreel::draw {
 
-/// Memory layout of a picture's depth keys and primitive ids, and the method that finds them. `apart`: keys
-/// and ids are in separate buffers and are found in two passes. One read returns four keys or four ids.
-/// `pairs`: the id and key of a sample are stored together and are found in two passes. `wholes`: like
+/// Memory layout of a picture's depth keys and primitive ids, and the method that finds them. `separate`:
+/// keys and ids are in separate buffers and are found in two passes. One read returns four keys or four
+/// ids. `pairs`: the id and key of a sample are stored together and are found in two passes. `wholes`: like
 /// `pairs`, but found in one pass with 64-bit atomics. All layouts give the same picture.
-enum class SampleLayout { apart, pairs, wholes };
+enum class SampleLayout { separate, pairs, wholes };
 /// Returns the layout named by the environment variable SIMREEL_SAMPLE_LAYOUT, or else the best one for the
 /// device. Throws UserError(usage) for an unknown name and UserError(device) if the device lacks the 64-bit
 /// atomics of `wholes`.
 [[nodiscard]] SampleLayout sampleLayout();
 /// Properties of a visibility buffer, for kernels that read or write samples.
 struct SampleKind {
-  SampleLayout layout = SampleLayout::apart;
+  SampleLayout layout = SampleLayout::separate;
   bool parallel = false;  ///< true for orthographic views: keys are computed from depth by the parallel
                           ///< formula of draw/exact/depth.glsl
   auto operator<=>(const SampleKind&) const = default;
@@ -121,7 +121,7 @@ class Visibility {
   /// it is already bound.
   [[nodiscard]] SampleTarget target(const MapPart& part, const gl::Resource& view = {}) const;
   [[nodiscard]] SampleVariant variant() const {
-    return {.samples = samples_, .paired = layout_ != SampleLayout::apart};
+    return {.samples = samples_, .paired = layout_ != SampleLayout::separate};
   }
   /// Returns the defines of kernels that rasterize into this buffer.
   [[nodiscard]] TargetVariant variant(Target target, int pass) const;
@@ -133,7 +133,7 @@ class Visibility {
   [[nodiscard]] SampleKind layout() const { return {layout_, parallel_}; }
   /// Returns the texel view of the keys, or of key and id pairs for the paired layouts.
   [[nodiscard]] const gl::Texture& nearKeys() const { return nearView_; }
-  /// Returns the texel view of the ids. Only for the layout `apart`.
+  /// Returns the texel view of the ids. Only for the layout `separate`.
   [[nodiscard]] const gl::Texture& numbers() const { return idView_; }
   /// Waits for the GPU and returns a copy of the keys, or of the ids: samples() values per pixel, row by
   /// row from the top.
@@ -146,7 +146,7 @@ class Visibility {
   [[nodiscard]] std::vector<GLuint> everyOther(std::size_t first) const;
 
   int samples_ = 1;
-  SampleLayout layout_ = SampleLayout::apart;
+  SampleLayout layout_ = SampleLayout::separate;
   bool parallel_ = false;
   gl::Buffer near_;  ///< keys; in paired layouts, id and key pairs
   gl::Buffer ids_;

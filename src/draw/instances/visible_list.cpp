@@ -9,7 +9,7 @@ namespace simreel::draw {
 
 namespace {
 
-constexpr int mostLevels = 5;
+constexpr int levelLimit = 5;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ struct CullInstances {
   struct Variant {
     gl::Flag<"FOR_LIGHT"> forLight;
     gl::Flag<"FOR_LAMPS"> forLamps;
-    gl::Range<"LEVELS", 1, mostLevels> levels;
+    gl::Range<"LEVELS", 1, levelLimit> levels;
   };
   gl::Ambient<"FrameBlock"> frame = {};
   gl::Ambient<"light"> sunPlace = {};
@@ -41,14 +41,14 @@ struct CountVisible {
 struct TotalVisible {
   static constexpr auto file = "draw/instances/total_visible.comp";
   struct Variant {
-    gl::Range<"LEVELS", 1, mostLevels> levels;
+    gl::Range<"LEVELS", 1, levelLimit> levels;
   };
   gl::In<"blockCount"> blockCount;
   gl::Out<"FirstBlock"> blockFirst;
   gl::Out<"ArgumentBlock"> arguments;
   gl::Uniform<"blocks", int> blocks;
-  gl::Uniforms<"indices", glm::ivec2, mostLevels> indices;
-  gl::Uniforms<"batch", int, mostLevels> batch;
+  gl::Uniforms<"indices", glm::ivec2, levelLimit> indices;
+  gl::Uniforms<"batch", int, levelLimit> batch;
 };
 
 struct ListVisible {

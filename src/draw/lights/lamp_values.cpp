@@ -47,11 +47,11 @@ struct Cone {
 };
 Cone coneAt(const scene::Spot& spot, double seconds) {
   constexpr double radiansPerDegree = std::numbers::pi / 180;
-  constexpr double least = 1e-4;  // min difference between the two cosines
+  constexpr double minimum = 1e-4;  // min difference between the two cosines
   const double half = 0.5 * radiansPerDegree * static_cast<double>(spot.angle.at(seconds));
   const double inner = half * (1 - static_cast<double>(spot.softness.at(seconds)));
   const double edge = ieee::cos(half);
-  return {edge, std::max(ieee::cos(inner), edge + least)};
+  return {edge, std::max(ieee::cos(inner), edge + minimum)};
 }
 
 /// Returns the argument for coneShare() in glsl/draw/lights/point_light.glsl. For point lights, the

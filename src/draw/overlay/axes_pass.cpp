@@ -18,12 +18,12 @@ constexpr glm::vec3 letterColor(0.80F, 0.82F, 0.86F);
 constexpr glm::vec3 letterLight(0.604F, 0.639F, 0.711F);  // letter colour as linear RGB
 
 /// A text of an axis. `at` is a point at the top of the text's capitals, at the fraction `aligned` of the
-/// text's width. If `least` and `most` differ, the text stays between these pixel positions.
+/// text's width. If `minimum` and `maximum` differ, the text stays between these pixel positions.
 struct AxisText {
   std::string text;
   glm::vec2 at;
   float aligned = 0;
-  float least = 0, most = 0;
+  float minimum = 0, maximum = 0;
 };
 
 /// Rectangles (each as its edges left, top, right, bottom, followed by its colour) and texts of the axes of
@@ -167,7 +167,7 @@ std::vector<sim::Writing> AxesPass::letters(const sim::Drawables& drawables, dou
       const LabelWord& word = words_.of(text.text);
       const float wide = tall * word.width;
       float left = text.at.x - text.aligned * wide;
-      if (text.least < text.most) left = std::max(std::min(left, text.most - wide), text.least);
+      if (text.minimum < text.maximum) left = std::max(std::min(left, text.maximum - wide), text.minimum);
       sim::Writing& writing = all.emplace_back();
       writing.outlines = &word.outlines;
       writing.place = glm::vec2(left, text.at.y + tall) / glm::vec2(picture_);

@@ -34,7 +34,7 @@ class AxesPass {
   void draw(const sim::Drawables& drawables, double seconds);
   /// Draws over the finished RGBA8 picture, whose first row is the top row. Only for the exact rasterizer.
   void draw(const sim::Drawables& drawables, double seconds, const gl::Texture& picture);
-  /// Returns the letters of all axes, for WritingPass. The result is valid until the next call.
+  /// Returns the letters of all axes, for TextPass. The result is valid until the next call.
   [[nodiscard]] std::vector<sim::Writing> letters(const sim::Drawables& drawables, double seconds);
 
  private:

@@ -30,14 +30,14 @@ const LabelWord& LabelWords::of(const std::string& text) {
   const auto found = words_.find(text);
   if (found != words_.end()) return found->second;
   if (!font_) font_ = std::make_unique<sim::Font>(assetFolder() / "fonts/OpenSans-Regular.ttf");
-  constexpr std::size_t most = 64;  // max number of characters of a label
+  constexpr std::size_t maximum = 64;  // max number of characters of a label
   constexpr sim::TextAnchor anchor{sim::TextAnchor::Across::left, sim::TextAnchor::Down::baseline};
   LabelWord made;
-  for (const auto& polygon : sim::written(*font_, text.substr(0, most), anchor, 1)) {
-    auto& kept = made.outlines.emplace_back();
+  for (const auto& polygon : sim::written(*font_, text.substr(0, maximum), anchor, 1)) {
+    auto& cached = made.outlines.emplace_back();
     for (const glm::dvec2& point : polygon) {
-      kept.emplace_back(point);
-      made.width = std::max(made.width, kept.back().x);
+      cached.emplace_back(point);
+      made.width = std::max(made.width, cached.back().x);
     }
   }
   return words_.emplace(text, std::move(made)).first->second;

@@ -35,7 +35,7 @@ class LabelWords {
 class ChartLabels {
  public:
   explicit ChartLabels(glm::ivec2 picture) : picture_(picture) {}
-  /// Returns the text of all charts that are large enough for letters, for WritingPass. The names are in a
+  /// Returns the text of all charts that are large enough for letters, for TextPass. The names are in a
   /// line above the curves, and the numbers of the scales are below. The result is valid until the next
   /// call.
   [[nodiscard]] std::vector<sim::Writing> of(const sim::Drawables& drawables);

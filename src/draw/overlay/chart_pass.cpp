@@ -115,58 +115,58 @@ void ChartPass::draw(const sim::Drawables& drawables) {
   DrawState{.depthTest = false}.set();
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  for (std::size_t i = 0; i < kept_.size(); ++i) {
+  for (std::size_t i = 0; i < cached_.size(); ++i) {
     const sim::Chart& chart = drawables.charts[i];
     const ChartLayout layout = chartLayout(chart, picture_);
-    condense(chart, layout, kept_[i]);
-    drawCurves(chart, layout, kept_[i]);
+    condense(chart, layout, cached_[i]);
+    drawCurves(chart, layout, cached_[i]);
   }
 }
 
 void ChartPass::draw(const sim::Drawables& drawables, const gl::Texture& picture) {
   SIMREEL_CHECK(exact_);
   if (!prepare(drawables)) return;
-  for (std::size_t i = 0; i < kept_.size(); ++i) {
+  for (std::size_t i = 0; i < cached_.size(); ++i) {
     const sim::Chart& chart = drawables.charts[i];
     const ChartLayout layout = chartLayout(chart, picture_);
-    condense(chart, layout, kept_[i]);
-    drawExactly(chart, layout, kept_[i], picture);
+    condense(chart, layout, cached_[i]);
+    drawExactly(chart, layout, cached_[i], picture);
   }
 }
 
 bool ChartPass::prepare(const sim::Drawables& drawables) {
   if (drawables.charts.empty()) return false;
   compile();
-  if (kept_.size() != drawables.charts.size()) kept_ = std::vector<Kept>(drawables.charts.size());
+  if (cached_.size() != drawables.charts.size()) cached_ = std::vector<Cached>(drawables.charts.size());
   return true;
 }
 
-void ChartPass::drawExactly(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept,
+void ChartPass::drawExactly(const sim::Chart& chart, const ChartLayout& layout, const Cached& cached,
                             const gl::Texture& picture) const {
   const glm::ivec4 part = glm::clamp(layout.panel, glm::ivec4(0), glm::ivec4(picture_, picture_));
   exactCurves_.dispatch(
       glm::ivec2(part.z - part.x, part.w - part.y),
-      {.chart = chartFields(chart, layout, kept.columns), .target = picture, .part = part});
+      {.chart = chartFields(chart, layout, cached.columns), .target = picture, .part = part});
   imageBarrier();
 }
 
-void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const {
+void ChartPass::condense(const sim::Chart& chart, const ChartLayout& layout, Cached& cached) const {
   const int width = layout.plot.z - layout.plot.x;
-  if (kept.columns.width() != width)
-    kept.columns = gl::Texture::image("chart columns", GL_RGBA32F, width, 4);
+  if (cached.columns.width() != width)
+    cached.columns = gl::Texture::image("chart columns", GL_RGBA32F, width, 4);
   if (chart.steps < 1) return;
   const float perColumn = static_cast<float>(std::max(chart.width - 1, 1)) / static_cast<float>(width);
   columns_.dispatch(width, {.counts = *chart.counts,
                             .steps = chart.steps,
                             .perTop = perTop(chart),
-                            .columns = kept.columns,
+                            .columns = cached.columns,
                             .columnCount = width,
                             .perColumn = perColumn});
 }
 
-void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const {
+void ChartPass::drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Cached& cached) const {
   gl::barrier();
-  gl::give(curves_, chartFields(chart, layout, kept.columns));
+  gl::give(curves_, chartFields(chart, layout, cached.columns));
   curves_.set("picture", glm::vec2(picture_));
   curves_.use();
   vertices_.bind();

@@ -40,16 +40,16 @@ class ChartPass {
   void draw(const sim::Drawables& drawables, const gl::Texture& picture);
 
  private:
-  struct Kept {
+  struct Cached {
     gl::Texture columns;
   };
   /// Prepares the curves. Returns false if there is nothing to draw.
   bool prepare(const sim::Drawables& drawables);
   void compile();
-  void condense(const sim::Chart& chart, const ChartLayout& layout, Kept& kept) const;
-  void drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept) const;
+  void condense(const sim::Chart& chart, const ChartLayout& layout, Cached& cached) const;
+  void drawCurves(const sim::Chart& chart, const ChartLayout& layout, const Cached& cached) const;
 
-  void drawExactly(const sim::Chart& chart, const ChartLayout& layout, const Kept& kept,
+  void drawExactly(const sim::Chart& chart, const ChartLayout& layout, const Cached& cached,
                    const gl::Texture& picture) const;
 
   glm::ivec2 picture_;
@@ -57,7 +57,7 @@ class ChartPass {
   gl::Kernel<CondenseChart> columns_;
   gl::Kernel<DrawChart> exactCurves_;
   gl::Program curves_;
-  std::vector<Kept> kept_;
+  std::vector<Cached> cached_;
   VertexArray vertices_;
 };
 

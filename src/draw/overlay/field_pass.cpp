@@ -55,8 +55,8 @@ bool hasRelief(const sim::Field& field) {
 bool isMagnified(const sim::Field& field, int reduction, glm::ivec2 picture, double seconds,
                  double elements) {
   const glm::dvec2 perPixel = fieldView(*field.display, field.size, picture, seconds).perPixel;
-  const double most = 0.999 * elements;  // slightly less, to allow for float rounding
-  return reduction == 1 && perPixel.x <= most && perPixel.y <= most;
+  const double maximum = 0.999 * elements;  // slightly less, to allow for float rounding
+  return reduction == 1 && perPixel.x <= maximum && perPixel.y <= maximum;
 }
 
 /// Returns the number of vertically adjacent pixels per invocation. For fields with relief, the number is
@@ -77,23 +77,24 @@ int FieldPass::reductionFor(glm::ivec2 cells, glm::dvec2 perPixel) {
 }
 
 void FieldPass::prepare(const sim::Drawables& drawables, double seconds) {
-  if (kept_.size() != drawables.fields.size()) kept_ = std::vector<Kept>(drawables.fields.size());
-  for (std::size_t i = 0; i < kept_.size(); ++i)
-    if (shown(drawables.fields[i], seconds)) reduce(drawables.fields[i], kept_[i], seconds);
+  if (cached_.size() != drawables.fields.size()) cached_ = std::vector<Cached>(drawables.fields.size());
+  for (std::size_t i = 0; i < cached_.size(); ++i)
+    if (shown(drawables.fields[i], seconds)) reduce(drawables.fields[i], cached_[i], seconds);
 }
 
-void FieldPass::reduce(const sim::Field& field, Kept& kept, double seconds) {
-  kept.colors.update(*field.colors);
+void FieldPass::reduce(const sim::Field& field, Cached& cached, double seconds) {
+  cached.colors.update(*field.colors);
   const int reduction =
       reductionFor(field.size, fieldView(*field.display, field.size, picture_, seconds).perPixel);
   const bool colored = averagesLight(field);
-  const bool same = kept.cells == field.size && kept.reduction == reduction && kept.colored == colored;
-  kept.cells = field.size;
-  kept.reduction = reduction;
-  kept.colored = colored;
+  const bool same =
+      cached.cells == field.size && cached.reduction == reduction && cached.colored == colored;
+  cached.cells = field.size;
+  cached.reduction = reduction;
+  cached.colored = colored;
   if (reduction == 1) return;
-  if (!same || !kept.reduced) kept.reduced = FieldKernel::texture(field, reduction, colored, 1);
-  kernel_.average(field, kept.colors, kept.reduced, colored);
+  if (!same || !cached.reduced) cached.reduced = FieldKernel::texture(field, reduction, colored, 1);
+  kernel_.average(field, cached.colors, cached.reduced, colored);
 }
 
 namespace {
@@ -114,35 +115,35 @@ void FieldPass::draw(const sim::Drawables& drawables, FieldLayer layer, double s
   SIMREEL_CHECK(!exact_);
   for (const std::size_t i : decorationsLast(drawables)) {
     const sim::Field& field = drawables.fields[i];
-    if (shown(field, seconds) && field.display->layer == layer) drawOne(field, kept_.at(i), seconds);
+    if (shown(field, seconds) && field.display->layer == layer) drawOne(field, cached_.at(i), seconds);
   }
 }
 
-FieldDrawVariant FieldPass::variant(const sim::Field& field, const Kept& kept, double seconds) const {
+FieldDrawVariant FieldPass::variant(const sim::Field& field, const Cached& cached, double seconds) const {
   const bool over = field.display->layer == FieldLayer::over;
-  FieldDrawVariant all{.field = fieldVariant(field, kept.colored),
-                       .reduced = kept.reduction > 1,
+  FieldDrawVariant all{.field = fieldVariant(field, cached.colored),
+                       .reduced = cached.reduction > 1,
                        .over = over,
                        // OPAQUE avoids reading the picture that the field hides. Software drivers would
                        // read the picture even in a branch that is not taken.
                        .opaque = exact_ && over && field.display->opacity.at(seconds) >= 1,
-                       .magnified = isMagnified(field, kept.reduction, picture_, seconds, 1),
+                       .magnified = isMagnified(field, cached.reduction, picture_, seconds, 1),
                        .splined = isSplined(field),
-                       .fine = isMagnified(field, kept.reduction, picture_, seconds, 0.5),
+                       .fine = isMagnified(field, cached.reduction, picture_, seconds, 0.5),
                        .tiled = field.display->tiled,
                        .relief = hasRelief(field)};
   if (exact_) all.rows = rowsFor(field);
   return all;
 }
 
-ShownField FieldPass::shownAs(const sim::Field& field, const Kept& kept, const FieldView& view,
+ShownField FieldPass::shownAs(const sim::Field& field, const Cached& cached, const FieldView& view,
                               double seconds) {
   const sim::FieldDisplay& display = *field.display;
-  const bool reduced = kept.reduction > 1;
+  const bool reduced = cached.reduction > 1;
   const FieldPlace place = fieldPlace(
-      field, view, reduced ? glm::ivec2(kept.reduced.width(), kept.reduced.height()) : field.size);
-  return {.field = fieldInputs(field, kept.colors),
-          .reduced = reduced ? gl::Resource(kept.reduced) : gl::Resource(),
+      field, view, reduced ? glm::ivec2(cached.reduced.width(), cached.reduced.height()) : field.size);
+  return {.field = fieldInputs(field, cached.colors),
+          .reduced = reduced ? gl::Resource(cached.reduced) : gl::Resource(),
           .size = place.size,
           .base = place.base,
           .start = place.start,
@@ -152,16 +153,16 @@ ShownField FieldPass::shownAs(const sim::Field& field, const Kept& kept, const F
           .opacity = display.opacity.at(seconds)};
 }
 
-void FieldPass::drawOne(const sim::Field& field, const Kept& kept, double seconds) {
+void FieldPass::drawOne(const sim::Field& field, const Cached& cached, double seconds) {
   const FieldView view = fieldView(*field.display, field.size, picture_, seconds);
-  const gl::Defines defines = gl::with({}, variant(field, kept, seconds));
+  const gl::Defines defines = gl::with({}, variant(field, cached, seconds));
   gl::Program& shader = programs_[defines];
   if (!shader)
     shader = gl::Program::graphics("draw/overlay/field.vert", "draw/overlay/field.frag", defines);
   DrawState{.depthTest = false}.set();
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl::give(shader, shownAs(field, kept, view, seconds));
+  gl::give(shader, shownAs(field, cached, view, seconds));
   shader.set("part", glm::vec4(view.part));
   shader.set("picture", glm::vec2(picture_));
   shader.set("topFirst", static_cast<int>(field.display->layer == FieldLayer::over));
@@ -175,7 +176,7 @@ void FieldPass::drawOver(const sim::Drawables& drawables, double seconds, const 
   for (const std::size_t i : decorationsLast(drawables)) {
     const sim::Field& field = drawables.fields[i];
     if (shown(field, seconds) && field.display->layer == FieldLayer::over)
-      drawOneExactly(field, kept_.at(i), seconds, picture, -1);
+      drawOneExactly(field, cached_.at(i), seconds, picture, -1);
   }
 }
 
@@ -186,19 +187,19 @@ void FieldPass::drawBehind(const sim::Drawables& drawables, double seconds, cons
   for (std::size_t i = drawables.fields.size(); i-- > 0;) {
     const sim::Field& field = drawables.fields[i];
     if (shown(field, seconds) && field.display->layer == FieldLayer::behind)
-      drawOneExactly(field, kept_.at(i), seconds, light, topFirst ? -1 : picture_.y - 1);
+      drawOneExactly(field, cached_.at(i), seconds, light, topFirst ? -1 : picture_.y - 1);
   }
 }
 
-void FieldPass::drawOneExactly(const sim::Field& field, const Kept& kept, double seconds,
+void FieldPass::drawOneExactly(const sim::Field& field, const Cached& cached, double seconds,
                                const gl::Texture& target, int lastRow) {
   const FieldView view = fieldView(*field.display, field.size, picture_, seconds);
   const glm::ivec4 part(
       glm::clamp(view.part, glm::dvec4(0), glm::dvec4(picture_.x, picture_.y, picture_.x, picture_.y)));
   const int rows = rowsFor(field);
-  kernels_.of(variant(field, kept, seconds))
+  kernels_.of(variant(field, cached, seconds))
       .dispatch(glm::ivec2(part.z - part.x, (part.w - part.y + rows - 1) / rows),
-                {.shown = shownAs(field, kept, view, seconds),
+                {.shown = shownAs(field, cached, view, seconds),
                  .target = target,
                  .part = part,
                  .lastRow = lastRow});

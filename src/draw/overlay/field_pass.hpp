@@ -71,26 +71,27 @@ class FieldPass {
 
  private:
   /// Data that is stored for one field of the drawables.
-  struct Kept {
+  struct Cached {
     FieldColors colors;
     gl::Texture reduced;
     glm::ivec2 cells{0, 0};
     int reduction = 1;
     bool colored = false;
   };
-  void reduce(const sim::Field& field, Kept& kept, double seconds);
-  void drawOne(const sim::Field& field, const Kept& kept, double seconds);
-  void drawOneExactly(const sim::Field& field, const Kept& kept, double seconds, const gl::Texture& target,
-                      int lastRow);
+  void reduce(const sim::Field& field, Cached& cached, double seconds);
+  void drawOne(const sim::Field& field, const Cached& cached, double seconds);
+  void drawOneExactly(const sim::Field& field, const Cached& cached, double seconds,
+                      const gl::Texture& target, int lastRow);
   /// Returns the shader inputs that both rasterizers use.
-  static ShownField shownAs(const sim::Field& field, const Kept& kept, const FieldView& view,
+  static ShownField shownAs(const sim::Field& field, const Cached& cached, const FieldView& view,
                             double seconds);
-  [[nodiscard]] FieldDrawVariant variant(const sim::Field& field, const Kept& kept, double seconds) const;
+  [[nodiscard]] FieldDrawVariant variant(const sim::Field& field, const Cached& cached,
+                                         double seconds) const;
 
   glm::ivec2 picture_;
   bool exact_;
   FieldKernel kernel_;
-  std::vector<Kept> kept_;
+  std::vector<Cached> cached_;
   gl::Kernels<DrawField> kernels_;
   std::map<gl::Defines, gl::Program> programs_;  ///< programs for the driver's rasterizer, by variant
   VertexArray vertices_;

@@ -25,7 +25,7 @@ struct WritingKernel {
   gl::Uniform<"backdrop", float> backdrop;
 };
 
-void WritingPass::cover(const sim::Writing& writing, Kept& kept) const {
+void TextPass::cover(const sim::Writing& writing, Cached& cached) const {
   const glm::dvec2 size(picture_);
   const double unit = static_cast<double>(writing.height) * size.y;
   const glm::dvec2 place = glm::dvec2(writing.place) * size;
@@ -35,23 +35,23 @@ void WritingPass::cover(const sim::Writing& writing, Kept& kept) const {
     for (const glm::vec2& point : polygon)
       put.push_back(place + unit * glm::dvec2(static_cast<double>(point.x), -static_cast<double>(point.y)));
   }
-  if (polygons == kept.polygons) return;
-  kept.polygons = std::move(polygons);
-  kept.coverage = coverageOf(kept.polygons, picture_);
-  if (kept.coverage.share.empty()) return;
-  kept.shares = gl::Buffer::of<std::uint8_t>("letters", kept.coverage.share);
-  kept.view = gl::Texture::view("letters", GL_R8UI, kept.shares, 1);
+  if (polygons == cached.polygons) return;
+  cached.polygons = std::move(polygons);
+  cached.coverage = coverageOf(cached.polygons, picture_);
+  if (cached.coverage.share.empty()) return;
+  cached.shares = gl::Buffer::of<std::uint8_t>("letters", cached.coverage.share);
+  cached.view = gl::Texture::view("letters", GL_R8UI, cached.shares, 1);
 }
 
-void WritingPass::draw(const sim::Drawables& drawables, const gl::Texture& picture) {
+void TextPass::draw(const sim::Drawables& drawables, const gl::Texture& picture) {
   if (drawables.writings.empty()) return;
   if (!kernel_) kernel_ = gl::Kernel<WritingKernel>(gl::Defines());
-  kept_.resize(drawables.writings.size());
-  for (std::size_t i = 0; i < kept_.size(); ++i) {
+  cached_.resize(drawables.writings.size());
+  for (std::size_t i = 0; i < cached_.size(); ++i) {
     const sim::Writing& writing = drawables.writings[i];
-    Kept& kept = kept_[i];
-    cover(writing, kept);
-    const Coverage& coverage = kept.coverage;
+    Cached& cached = cached_[i];
+    cover(writing, cached);
+    const Coverage& coverage = cached.coverage;
     if (coverage.share.empty() || !(writing.opacity > 0)) continue;
     // The background box extends beyond the letters by half the height of a capital.
     const auto margin =
@@ -59,7 +59,7 @@ void WritingPass::draw(const sim::Drawables& drawables, const gl::Texture& pictu
     const int around = writing.backdrop > 0 ? margin : 0;
     const glm::ivec2 from = glm::max(coverage.corner - around, glm::ivec2(0));
     const glm::ivec2 end = glm::min(coverage.corner + coverage.size + around, picture_);
-    kernel_.dispatch(end - from, {.shares = kept.view,
+    kernel_.dispatch(end - from, {.shares = cached.view,
                                   .target = picture,
                                   .panel = glm::ivec4(from, end),
                                   .box = glm::ivec4(coverage.corner, coverage.corner + coverage.size),

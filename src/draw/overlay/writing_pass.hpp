@@ -15,25 +15,25 @@ struct WritingKernel;
 
 /// Draws text over the finished picture. The CPU computes the exact coverage of each pixel when the text
 /// changes, with the same result on every machine. A kernel blends the text over the picture.
-class WritingPass {
+class TextPass {
  public:
-  explicit WritingPass(glm::ivec2 picture) : picture_(picture) {}
+  explicit TextPass(glm::ivec2 picture) : picture_(picture) {}
   /// Draws over an RGBA8 picture whose first row is the top row. The caller must issue a barrier before the
   /// picture is read.
   void draw(const sim::Drawables& drawables, const gl::Texture& picture);
 
  private:
-  struct Kept {
+  struct Cached {
     std::vector<std::vector<glm::dvec2>> polygons;
     Coverage coverage;
     gl::Buffer shares;
     gl::Texture view;
   };
-  void cover(const sim::Writing& writing, Kept& kept) const;
+  void cover(const sim::Writing& writing, Cached& cached) const;
 
   glm::ivec2 picture_;
   gl::Kernel<WritingKernel> kernel_;
-  std::vector<Kept> kept_;
+  std::vector<Cached> cached_;
 };
 
 }  // namespace simreel::draw

@@ -91,7 +91,7 @@ DriverScene::DriverScene(const Shared& shared, int samples)
 }
 DriverScene::~DriverScene() = default;
 
-void DriverScene::draw(double seconds, const sim::Drawables& all, const Watch& watch) {
+void DriverScene::draw(double seconds, const sim::Drawables& all, const StageCallback& watch) {
   State& s = *state_;
   s.sayFinishes(all);
   if (s.lamps.on()) s.lamps.update(seconds, all);

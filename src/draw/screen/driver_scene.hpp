@@ -31,9 +31,9 @@ class DriverScene {
   DriverScene(const DriverScene&) = delete;
   DriverScene& operator=(const DriverScene&) = delete;
 
-  using Watch = std::function<void(const char* stage)>;
+  using StageCallback = std::function<void(const char* stage)>;
   /// Draws the frame. The frame's uniform block must be bound.
-  void draw(double seconds, const sim::Drawables& drawables, const Watch& watch);
+  void draw(double seconds, const sim::Drawables& drawables, const StageCallback& watch);
 
  private:
   struct State;

@@ -85,13 +85,13 @@ void Panels::caption() {
   writings_.draw(captions, picture_.color);
 }
 
-void Panels::keepBefore(const sim::Drawables& before) {
-  for (View& view : views_) view.renderer.keepBefore(shownOn(*view.panel, before));
+void Panels::setPreviousFrame(const sim::Drawables& before) {
+  for (View& view : views_) view.renderer.setPreviousFrame(shownOn(*view.panel, before));
 }
 
-bool Panels::hearsBefore() const {
+bool Panels::needsPreviousFrame() const {
   return std::any_of(views_.begin(), views_.end(),
-                     [](const View& view) { return view.renderer.hearsBefore(); });
+                     [](const View& view) { return view.renderer.needsPreviousFrame(); });
 }
 
 }  // namespace simreel::draw

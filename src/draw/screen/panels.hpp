@@ -15,8 +15,8 @@ class Panels {
  public:
   Panels(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options);
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch);
-  void keepBefore(const sim::Drawables& before);
-  [[nodiscard]] bool hearsBefore() const;
+  void setPreviousFrame(const sim::Drawables& before);
+  [[nodiscard]] bool needsPreviousFrame() const;
   [[nodiscard]] const Picture& picture() const { return picture_; }
 
  private:
@@ -31,7 +31,7 @@ class Panels {
   Picture picture_;
   std::vector<View> views_;
   LabelWords words_;
-  WritingPass writings_;
+  TextPass writings_;
 };
 
 }  // namespace simreel::draw

@@ -52,7 +52,7 @@ void Readback::copyOn() {
   for (std::size_t i = 0; i < count_; ++i) {
     Slot& slot = slots_[(oldest_ + i) % slots_.size()];
     if (slot.copies) continue;
-    if (!isThere(slot, false)) return;
+    if (!isReady(slot, false)) return;
     slot.copy.from = slot.bytes;
     slot.copy.count = bytes_;
     slot.copies = thread_.start(slot.copy);
@@ -60,10 +60,10 @@ void Readback::copyOn() {
 }
 
 bool Readback::reached(bool wait) const {
-  return !empty() && isThere(slots_[oldest_], wait);
+  return !empty() && isReady(slots_[oldest_], wait);
 }
 
-bool Readback::isThere(const Slot& slot, bool wait) {
+bool Readback::isReady(const Slot& slot, bool wait) {
   constexpr GLuint64 second = 1'000'000'000;
   GLenum state = glClientWaitSync(slot.done, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? second : 0);
   while (wait && state == GL_TIMEOUT_EXPIRED) state = glClientWaitSync(slot.done, 0, second);

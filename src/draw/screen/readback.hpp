@@ -49,7 +49,7 @@ class Readback {
     bool copies = false;  ///< true while the thread copies the slot's picture
   };
   /// True if the GPU has finished the slot's copy. With `wait`, waits for the copy.
-  static bool isThere(const Slot& slot, bool wait);
+  static bool isReady(const Slot& slot, bool wait);
   void copyOn();
 
   glm::ivec2 size_;

@@ -32,12 +32,12 @@ void Renderer::draw(double seconds, const sim::Drawables& drawables, const Stage
   state_->passes->keepBytes("picture", "finished", state_->panels->picture().color);
 }
 
-void Renderer::keepBefore(const sim::Drawables& before) {
-  state_->panels ? state_->panels->keepBefore(before) : state_->view->keepBefore(before);
+void Renderer::setPreviousFrame(const sim::Drawables& before) {
+  state_->panels ? state_->panels->setPreviousFrame(before) : state_->view->setPreviousFrame(before);
 }
 
-bool Renderer::hearsBefore() const {
-  return state_->panels ? state_->panels->hearsBefore() : state_->view->hearsBefore();
+bool Renderer::needsPreviousFrame() const {
+  return state_->panels ? state_->panels->needsPreviousFrame() : state_->view->needsPreviousFrame();
 }
 
 void Renderer::keepPasses(PassPicture* passes) {

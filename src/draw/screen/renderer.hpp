@@ -29,11 +29,12 @@ class Renderer {
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch = {});
 
   /// Sets the objects of the frame that precedes the next draw(). Motion starts at their positions.
-  /// Required if hearsBefore() is true; otherwise objects are drawn without motion.
-  void keepBefore(const sim::Drawables& before);
+  /// Required if needsPreviousFrame() is true; otherwise objects are drawn without motion.
+  void setPreviousFrame(const sim::Drawables& before);
 
-  /// True if the renderer needs keepBefore(), which a shutter and the velocities of keepLayers() require.
-  [[nodiscard]] bool hearsBefore() const;
+  /// True if the renderer needs setPreviousFrame(), which a shutter and the velocities of keepLayers()
+  /// require.
+  [[nodiscard]] bool needsPreviousFrame() const;
 
   /// Sets the object that receives the pass outputs of later pictures, replacing earlier contents. Null:
   /// pass outputs are not stored. The CPU waits for the GPU to copy them. Requires the exact rasterizer.

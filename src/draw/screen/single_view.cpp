@@ -79,7 +79,7 @@ struct SingleView::State {
   AxesPass axes;
   ChartPass charts;
   ChartLabels labels;
-  WritingPass writings;
+  TextPass writings;
   gl::Buffer frame;
   std::optional<Environment> environment;
   std::optional<DriverScene> driver;
@@ -186,11 +186,11 @@ void SingleView::draw(double seconds, const sim::Drawables& drawables, const Sta
   if (watch && !(drawables.fields.empty() && drawables.charts.empty())) watch("fields");
 }
 
-void SingleView::keepBefore(const sim::Drawables& before) {
+void SingleView::setPreviousFrame(const sim::Drawables& before) {
   if (state_->motion) state_->motion->keep(before);
 }
 
-bool SingleView::hearsBefore() const {
+bool SingleView::needsPreviousFrame() const {
   return state_->motion.has_value();
 }
 

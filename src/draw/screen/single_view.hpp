@@ -38,8 +38,8 @@ class SingleView {
   SingleView& operator=(const SingleView&) = delete;
 
   void draw(double seconds, const sim::Drawables& drawables, const StageWatch& watch);
-  void keepBefore(const sim::Drawables& before);
-  [[nodiscard]] bool hearsBefore() const;
+  void setPreviousFrame(const sim::Drawables& before);
+  [[nodiscard]] bool needsPreviousFrame() const;
   void keepPasses(PassPicture* passes);
   void keepLayers(const LightRequest& wanted);
   [[nodiscard]] PictureLayers takeLayers();

@@ -36,7 +36,7 @@ void checkSamples(int samples) {
     list += fmt::format(", {}", *count);
   }
   fail(ExitCode::device,
-       "{} samples per pixel: this device has {} (GL_MAX_SAMPLES is {}); set \"samples\" to one of them",
+       "this device does not support {} samples per pixel; set \"samples\" to {} (GL_MAX_SAMPLES is {})",
        samples, list, gl::limits().samples);
 }
 

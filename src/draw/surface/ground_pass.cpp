@@ -6,7 +6,7 @@
 namespace simreel::draw {
 
 GroundPass::GroundPass(const scene::Scene& scene, const ShadowPass& shadow, const Lamps& lamps)
-    : on_(groundSeen(scene) != nullptr), shadowed_(shadow.on()) {
+    : on_(visibleGround(scene) != nullptr), shadowed_(shadow.on()) {
   if (!on_) return;
   gl::Defines defines = withFrame(shadow.defines());
   defines.insert(defines.end(), lamps.defines().begin(), lamps.defines().end());

@@ -81,7 +81,7 @@ PictureOrigin originOf(std::span<const std::byte> file, const std::filesystem::p
   PictureHeader header = pictureHeader(file);
   auto& texts = header.texts;
   PictureOrigin origin;
-  origin.told = texts.contains("simreel:scene") && texts.contains("simreel:frame");
+  origin.identified = texts.contains("simreel:scene") && texts.contains("simreel:frame");
   const auto compare = [&](const char* item, const std::string& here, const std::string& there) {
     if (here != there && origin.difference.empty())
       origin.difference =
@@ -90,7 +90,7 @@ PictureOrigin originOf(std::span<const std::byte> file, const std::filesystem::p
   const auto sizeText = [](int width, int height) { return fmt::format("{}x{}", width, height); };
   if (header.size)
     compare("size", sizeText(run.width, run.height), sizeText(header.size->x, header.size->y));
-  if (!origin.told) return origin;
+  if (!origin.identified) return origin;
   const auto changes = scene::asArguments(run.overrides);
   const auto listed = [](const std::string& text) { return text.empty() ? std::string("nothing") : text; };
   compare("what is changed in the scene", listed(changes), listed(texts["simreel:overrides"]));

@@ -10,11 +10,11 @@ namespace simreel::frame {
 
 /// Run and frame recorded in a picture file. simreel writes them into PNG and OpenEXR headers.
 struct PictureOrigin {
-  bool told = false;       ///< true if the file's header names a scene and a frame
-  std::string difference;  ///< first difference from the run, such as "seed is 7 in this run and 1 in
-                           ///< a.png"
-  std::string state;       ///< recorded state hash; empty if not recorded
-  std::string driver;      ///< recorded driver, for pictures that depend on the driver
+  bool identified = false;  ///< true if the file's header names a scene and a frame
+  std::string difference;   ///< first difference from the run, such as "seed is 7 in this run and 1 in
+                            ///< a.png"
+  std::string state;        ///< recorded state hash; empty if not recorded
+  std::string driver;       ///< recorded driver, for pictures that depend on the driver
 };
 
 /// Compares the header of a picture file with a run and one of the run's frames. If another program wrote

@@ -73,7 +73,7 @@ WorldState stateOf(sim::World& world) {
   WorldState state;
   state.frame = world.frame();
   StateSaver saver(state);
-  world.carryOver(saver, [&](const std::string& object) { saver.begin(object); });
+  world.visitCheckpointData(saver, [&](const std::string& object) { saver.begin(object); });
   return state;
 }
 
@@ -81,7 +81,7 @@ void putBack(sim::World& world, int frame, const std::vector<StatePart>& parts, 
              const std::string& from) {
   gl::beforeWrites();  // Waits because kernels that read the current state may still be running.
   StateRestorer restorer(parts, bytes, from);
-  world.carryOver(restorer, [&](const std::string& object) { restorer.begin(object); });
+  world.visitCheckpointData(restorer, [&](const std::string& object) { restorer.begin(object); });
   if (!restorer.ended())
     fail(ExitCode::usage,
          "{} does not match the scene: it has more data; remove it to simulate from the start", from);

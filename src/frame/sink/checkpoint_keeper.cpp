@@ -59,7 +59,7 @@ std::optional<Checkpoint> CheckpointKeeper::given(const std::vector<int>& frames
     }
     return checkpoint;
   } catch (const UserError& error) {
-    if (!how_.mayDoWithout) throw;
+    if (!how_.checkpointOptional) throw;
     warn("{}; simulating from the start", error.what());
     return std::nullopt;
   }

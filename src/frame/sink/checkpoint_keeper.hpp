@@ -30,7 +30,7 @@ struct Checkpoints {
   /// checkpoint from which the run starts; if empty, the run starts at the scene's start
   std::filesystem::path from = {};
   /// if `from` cannot be used: true to warn and start at the scene's start, false to fail
-  bool mayDoWithout = false;
+  bool checkpointOptional = false;
 };
 
 /// Writes the checkpoints of a run, restores the run from a checkpoint, and removes the periodic checkpoint

@@ -8,8 +8,8 @@
 
 namespace simreel::frame {
 
-FramesUnderWay::FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields,
-                               Progress& progress, StageTimers& timers, std::function<void()> awaitSummary)
+FramePipeline::FramePipeline(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields,
+                             Progress& progress, StageTimers& timers, std::function<void()> awaitSummary)
     : sink_(sink),
       fields_(fields),
       progress_(progress),
@@ -20,20 +20,20 @@ FramesUnderWay::FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const
       renderer_(scene, scene.render.size, scene.render.samples),
       readback_(scene.render.size) {}
 
-void FramesUnderWay::follow(sim::World& world) {
+void FramePipeline::follow(sim::World& world) {
   followMotion(renderer_, world);
 }
 
-void FramesUnderWay::keepLayers(const draw::LightRequest& wanted) {
+void FramePipeline::keepLayers(const draw::LightRequest& wanted) {
   renderer_.keepLayers(wanted);
   keepsLayers_ = true;
 }
 
-bool FramesUnderWay::misses(int frame) const {
+bool FramePipeline::misses(int frame) const {
   return sink_.wants(frame) || (fields_ != nullptr && fields_->misses(frame, sink_));
 }
 
-void FramesUnderWay::draw(sim::World& world, std::optional<std::string> stateHash) {
+void FramePipeline::draw(sim::World& world, std::optional<std::string> stateHash) {
   const int frame = world.frame();
   const bool wanted = sink_.wants(frame);
   if (wanted) {
@@ -51,21 +51,21 @@ void FramesUnderWay::draw(sim::World& world, std::optional<std::string> stateHas
   while (waiting_.size() >= draw::Readback::maxUnderWay) deliverOldest();
 }
 
-void FramesUnderWay::know(int frame, const std::string& stateHash) {
+void FramePipeline::know(int frame, const std::string& stateHash) {
   for (Waiting& waiting : waiting_)
     if (waiting.frame == frame) waiting.stateHash = stateHash;
 }
 
-void FramesUnderWay::pass(int frame) {
+void FramePipeline::pass(int frame) {
   ++delivered_;
   progress_.frame(frame, {});
 }
 
-void FramesUnderWay::drain() {
+void FramePipeline::drain() {
   while (!waiting_.empty()) deliverOldest();
 }
 
-void FramesUnderWay::deliverOldest() {
+void FramePipeline::deliverOldest() {
   timers_.wait(&StageTimes::simulate, waiting_.front().frame, [&] {
     while (!waiting_.front().stateHash) awaitSummary_();
   });
@@ -79,12 +79,12 @@ void FramesUnderWay::deliverOldest() {
   ++delivered_;
   StageTimes stages = timers_.takeUpTo(frame);
   const double encoded = sink_.encodeSeconds();
-  stages.encode = encoded - toldEncode_;
-  toldEncode_ = encoded;
+  stages.encode = encoded - reportedEncode_;
+  reportedEncode_ = encoded;
   progress_.frame(frame, stages);
 }
 
-void FramesUnderWay::store(Waiting waiting) {
+void FramePipeline::store(Waiting waiting) {
   // A software driver draws in the background, so waiting for the picture counts as drawing time.
   timers_.wait(&StageTimes::draw, waiting.frame, [&] { readback_.waitForOldest(); });
   timers_.collect(waiting.frame);
@@ -96,14 +96,14 @@ void FramesUnderWay::store(Waiting waiting) {
     SIMREEL_CHECK_EQ(taken->first, waiting.frame);
     image.bytes = std::move(taken->second);
   }
-  if (hear_) hear_(waiting.frame, image);
+  if (onPicture_) onPicture_(waiting.frame, image);
   const Stopwatch time = timers_.watch(&StageTimes::wait);
   sink_.add(
       {waiting.frame, *std::move(waiting.stateHash), std::move(waiting.files), std::move(waiting.layers)},
       std::move(image));
 }
 
-void FramesUnderWay::compareWithStored(Waiting waiting) {
+void FramePipeline::compareWithStored(Waiting waiting) {
   const auto known = sink_.knownStateHash(waiting.frame);
   if (known && !known->empty() && *known != *waiting.stateHash)
     fail(ExitCode::different,

@@ -25,12 +25,12 @@ namespace simreel::frame {
 
 /// Pipeline from drawing to the sink: while the device draws a frame, earlier frames are read back and
 /// encoded.
-class FramesUnderWay {
+class FramePipeline {
  public:
   /// `awaitSummary`: waits for the next state summary and calls know(). `fields`: null if no raw field
   /// values are written.
-  FramesUnderWay(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, Progress& progress,
-                 StageTimers& timers, std::function<void()> awaitSummary);
+  FramePipeline(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, Progress& progress,
+                StageTimers& timers, std::function<void()> awaitSummary);
 
   /// Makes the renderer receive each previous frame, if pictures have motion blur or velocities. Must be
   /// called before the first draw().
@@ -38,7 +38,9 @@ class FramesUnderWay {
   /// Makes the following pictures store their light and the requested layers.
   void keepLayers(const draw::LightRequest& wanted);
   /// Sets a callback that receives each picture before the sink receives it.
-  void onPicture(std::function<void(int frame, const Image& image)> hear) { hear_ = std::move(hear); }
+  void onPicture(std::function<void(int frame, const Image& image)> callback) {
+    onPicture_ = std::move(callback);
+  }
   /// True if a picture or additional file of the frame must be written.
   [[nodiscard]] bool misses(int frame) const;
   /// Draws the world's current frame if it must be written. If too many frames are in flight, first
@@ -71,7 +73,7 @@ class FramesUnderWay {
   Progress& progress_;
   StageTimers& timers_;
   std::function<void()> awaitSummary_;
-  std::function<void(int frame, const Image& image)> hear_;
+  std::function<void(int frame, const Image& image)> onPicture_;
   glm::ivec2 size_;
   bool alpha_;  ///< true if pictures have an alpha channel
   bool keepsLayers_ = false;
@@ -79,8 +81,8 @@ class FramesUnderWay {
   draw::Readback readback_;
   std::deque<Waiting> waiting_;
   int delivered_ = 0;
-  double toldEncode_ = 0;  ///< part of the sink's encodeSeconds() that has already been reported to
-                           ///< progress_
+  double reportedEncode_ = 0;  ///< part of the sink's encodeSeconds() that has already been reported to
+                               ///< progress_
 };
 
 }  // namespace simreel::frame

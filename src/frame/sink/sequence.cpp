@@ -21,7 +21,7 @@ namespace simreel::frame {
 namespace {
 
 /// True if pictures have velocity or motion vector layers, which need the previous frame.
-bool keepsVelocity(const BesideFrames& beside) {
+bool keepsVelocity(const SequenceOptions& beside) {
   return beside.layers &&
          std::any_of(beside.layers->layers.begin(), beside.layers->layers.end(), [](draw::Layer layer) {
            return layer == draw::Layer::velocity || layer == draw::Layer::vector;
@@ -32,7 +32,7 @@ bool keepsVelocity(const BesideFrames& beside) {
 class Run {
  public:
   Run(const scene::Scene& scene, const gl::Context& context, FrameSink& sink, Progress& progress,
-      const BesideFrames& beside)
+      const SequenceOptions& beside)
       : context_(context),
         sink_(sink),
         progress_(progress),
@@ -44,7 +44,7 @@ class Run {
                [this](long done, long total) { prestepped(done, total); }),
         counts_(scene.time.fps, world_.countNames()),
         counting_(!world_.countNames().empty()),
-        summaries_(world_, [this](const auto& summary) { hear(summary); }),
+        summaries_(world_, [this](const auto& summary) { keepSummary(summary); }),
         frames_(scene, sink, beside.fields, progress, timers_, [this] { summaries_.takeOldest(); }),
         watch_(beside.watch) {
     if (beside.layers) frames_.keepLayers(*beside.layers);
@@ -111,8 +111,8 @@ class Run {
   }
 
   /// Advances frame by frame and checks for signals, because a pre-roll or a distant frame takes long.
-  /// Intermediate frames use World::passTo(), after which the state must not be drawn or read. Frame `next`
-  /// also uses World::passTo(), unless `seen` is true.
+  /// Intermediate frames use World::advanceUndrawn(), after which the state must not be drawn or read.
+  /// Frame `next` also uses World::advanceUndrawn(), unless `seen` is true.
   void advanceTo(int next, bool seen) {
     const long preroll = -world_.firstFrame();
     while (world_.frame() < next) {
@@ -121,7 +121,7 @@ class Run {
       if (seen_)
         world_.advanceTo(next);
       else
-        world_.passTo(world_.frame() + 1);
+        world_.advanceUndrawn(world_.frame() + 1);
       if (world_.frame() <= 0) progress_.prepare(preroll + world_.frame(), preroll);
     }
   }
@@ -166,7 +166,7 @@ class Run {
     }
   }
 
-  void hear(const sim::World::Summary& summary) {
+  void keepSummary(const sim::World::Summary& summary) {
     if (keeper_.isAfterResume(summary)) {
       counts_.add(summary);
       if (!counts_.empty() && summary.frame >= 0)
@@ -190,11 +190,11 @@ class Run {
   CountTable counts_;
   bool counting_;
   Summaries summaries_;
-  FramesUnderWay frames_;
+  FramePipeline frames_;
   FrameWatch* watch_;
   std::optional<sim::World::Summary> latest_;
   bool started_ = false;
-  /// true if the current frame is ready to be drawn; false if World::passTo() advanced to it
+  /// true if the current frame is ready to be drawn; false if World::advanceUndrawn() advanced to it
   bool seen_ = true;
 };
 
@@ -202,7 +202,7 @@ class Run {
 
 SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                               const std::vector<int>& frames, FrameSink& sink, Progress& progress,
-                              const BesideFrames& beside) {
+                              const SequenceOptions& beside) {
   SequenceResult result;
   std::exception_ptr failure;
   bool whole = false;

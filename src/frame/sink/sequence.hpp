@@ -37,7 +37,7 @@ class FrameWatch {
 };
 
 /// Additional outputs and options of renderSequence().
-struct BesideFrames {
+struct SequenceOptions {
   /// writes raw field values of the same frames; if null, none are written
   FieldFiles* fields = nullptr;
   /// start time of the command, from which StageTimes::start is measured
@@ -57,6 +57,6 @@ struct BesideFrames {
 /// after the last frame.
 [[nodiscard]] SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                                             const std::vector<int>& frames, FrameSink& sink,
-                                            Progress& progress, const BesideFrames& beside = {});
+                                            Progress& progress, const SequenceOptions& beside = {});
 
 }  // namespace simreel::frame

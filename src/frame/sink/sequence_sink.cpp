@@ -225,7 +225,7 @@ class SequenceSink final : public FrameSink {
       const auto header = pngHeaderOf(bytes);
       // The file may have more than 8 bits per channel, but decodeImage() returns 8 bits.
       const bool deep = !header || header->depth != 8;
-      if (!origin.told || !origin.difference.empty() || output_.isLight() || deep ||
+      if (!origin.identified || !origin.difference.empty() || output_.isLight() || deep ||
           origin.driver != (manifest_.run.exact() ? std::string() : manifest_.run.driver)) {
         if (origin.difference.empty()) checkWhole(bytes, path);
         return kept;

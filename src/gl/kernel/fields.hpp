@@ -96,8 +96,8 @@ template <Name label, class T, std::size_t... indices>
 struct UniformsOf<label, T, std::index_sequence<indices...>> {
   using Type = UniformElements<label, T, indices...>;
 };
-template <Name label, class T, std::size_t most>
-using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<most>>::Type;
+template <Name label, class T, std::size_t maximum>
+using Uniforms = typename UniformsOf<label, T, std::make_index_sequence<maximum>>::Type;
 
 enum class Access { read, write, both, together };
 
@@ -205,7 +205,7 @@ using Switch = Choice<label, 0, 1>;
 
 /// An integer within a range. Tools compile both ends of the range. If it has no value, the name is not
 /// defined.
-template <Name label, int least, int most>
+template <Name label, int minimum, int maximum>
 struct Range {
   using Field = void;
   static constexpr const char* name = label.text;
@@ -213,18 +213,18 @@ struct Range {
   Range(int now) : value(now), defined(true) {}  // NOLINT(google-explicit-constructor): as in Flag
   void addTo(Defines& defines) const {
     if (!defined) return;
-    if (value < least || value > most)
+    if (value < minimum || value > maximum)
       fail(ExitCode::device, "the kernels' define {} may not be {}", name, value);
     defines.emplace_back(name, std::to_string(value));
   }
   static std::vector<Defines> all() {
-    return {{{name, std::to_string(least)}}, {{name, std::to_string(most)}}};
+    return {{{name, std::to_string(minimum)}}, {{name, std::to_string(maximum)}}};
   }
   /// Number of keys. The first key means "not defined", and the last key means "out of range".
-  static constexpr std::uint64_t keys = most - least + 3;
+  static constexpr std::uint64_t keys = maximum - minimum + 3;
   [[nodiscard]] std::uint64_t key() const {
     if (!defined) return 0;
-    return value < least || value > most ? keys - 1 : static_cast<std::uint64_t>(value - least) + 1;
+    return value < minimum || value > maximum ? keys - 1 : static_cast<std::uint64_t>(value - minimum) + 1;
   }
   int value = 0;
   bool defined = false;

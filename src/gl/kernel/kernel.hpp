@@ -156,9 +156,9 @@ class Kernel {
  private:
   template <class Run>
   static void run(const Interface& given, const Run& dispatch) {
-    constexpr std::size_t most = 128;
-    std::array<GivenNumber, most> numbers;       // NOLINT(*-member-init): only the filled part is read
-    std::array<const Resource*, most> memories;  // NOLINT(*-member-init)
+    constexpr std::size_t maximum = 128;
+    std::array<GivenNumber, maximum> numbers;       // NOLINT(*-member-init): only the filled part is read
+    std::array<const Resource*, maximum> memories;  // NOLINT(*-member-init)
     std::size_t numberCount = 0, memoryCount = 0;
     visitFields(given, [&](const auto& field) {
       if constexpr (std::is_base_of_v<Resource, std::remove_cvref_t<decltype(field)>>)
@@ -178,8 +178,8 @@ consteval bool distinctKeys(const Variant& variant) {
   std::uint64_t keys = 1;
   bool distinct = true;
   visitFields(variant, [&](const auto& field) {
-    constexpr std::uint64_t most = ~std::uint64_t{0}, more = std::remove_cvref_t<decltype(field)>::keys;
-    distinct = distinct && keys <= most / more;
+    constexpr std::uint64_t maximum = ~std::uint64_t{0}, more = std::remove_cvref_t<decltype(field)>::keys;
+    distinct = distinct && keys <= maximum / more;
     keys *= more;
   });
   return distinct;

@@ -186,8 +186,8 @@ void KernelBase::setNumbers(const Given& given) {
   if (linked_->user() != this) linked_->giveTo(this, numbers_);
 }
 
-AccessLog::Way KernelBase::wayOf(const Slot& slot, const Resource& resource) const {
-  using enum AccessLog::Way;
+AccessLog::AccessKind KernelBase::accessOf(const Slot& slot, const Resource& resource) const {
+  using enum AccessLog::AccessKind;
   const Access access = names_.memories[slot.memory].access;
   if (access == Access::together) return together;
   const bool stores =
@@ -232,7 +232,7 @@ void KernelBase::prepare(const Given& given, GLbitfield more) {
       missing(view ? "image or sampler" : "block", names_.memories[slot.memory].name);
     barriers |= AccessLog::needed(
         memoryOf(resource), barrierOf(slot.kind == storage, slot.kind == uniformBlock, slot.kind == image),
-        wayOf(slot, resource));
+        accessOf(slot, resource));
   }
   setNumbers(given);
   if (barriers != 0) AccessLog::barrier(barriers);
@@ -240,7 +240,7 @@ void KernelBase::prepare(const Given& given, GLbitfield more) {
     if (staysBound(slot)) continue;
     const Resource& resource = *given.memories[slot.memory];
     bind(slot, resource);
-    AccessLog::note(memoryOf(resource), wayOf(slot, resource));
+    AccessLog::note(memoryOf(resource), accessOf(slot, resource));
   }
   glUseProgram(linked_->name());
 }
@@ -272,8 +272,8 @@ void KernelBase::dispatchIndirect(const Buffer& commands, std::size_t offset, co
   }
   resolve();
   const AccessLog::Memory memory{commands.name(), false};
-  prepare(given, AccessLog::needed(memory, GL_COMMAND_BARRIER_BIT, AccessLog::Way::read));
-  AccessLog::note(memory, AccessLog::Way::read);
+  prepare(given, AccessLog::needed(memory, GL_COMMAND_BARRIER_BIT, AccessLog::AccessKind::read));
+  AccessLog::note(memory, AccessLog::AccessKind::read);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands.name());
   linked_->dispatch([&] { glDispatchComputeIndirect(static_cast<GLintptr>(offset)); });
 }

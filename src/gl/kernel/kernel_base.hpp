@@ -80,7 +80,7 @@ class KernelBase {
   void prepare(const Given& given, GLbitfield more);
   void setNumbers(const Given& given);
   void bind(const Slot& slot, const Resource& resource) const;
-  [[nodiscard]] AccessLog::Way wayOf(const Slot& slot, const Resource& resource) const;
+  [[nodiscard]] AccessLog::AccessKind accessOf(const Slot& slot, const Resource& resource) const;
   [[noreturn]] void missing(const char* what, const std::string& name) const;
 
   const KernelNames& names_;

@@ -125,7 +125,7 @@ constexpr std::size_t largestFile = std::size_t{64} << 20;
 
 std::string readWhole(const fs::path& file) {
   std::string text = readFile(file, "baseline", largestFile);
-  if (const std::string other = standsForAnother(text); !other.empty())
+  if (const std::string other = placeholderProblem(text); !other.empty())
     fail(ExitCode::inputOutput, "baseline {} {}", file.string(), other);
   if (text.empty()) fail(ExitCode::inputOutput, "baseline {} is empty; {}", file.string(), restoreIt);
   return text;
@@ -144,7 +144,7 @@ std::optional<Result> readBaseline(const fs::path& file,
 void refuseToReplace(const fs::path& file) {
   std::error_code unknown;
   if (!fs::is_regular_file(file, unknown)) return;
-  if (const std::string other = standsForAnother(readFile(file, "baseline", largestFile)); !other.empty())
+  if (const std::string other = placeholderProblem(readFile(file, "baseline", largestFile)); !other.empty())
     fail(ExitCode::inputOutput, "baseline {} {}; it is not overwritten", file.string(), other);
 }
 

@@ -63,7 +63,7 @@ struct Candidate {
                                                 const std::string& profile, bool exact);
 
 /// Throws UserError(inputOutput) if a file of the baseline is a Git LFS pointer or has merge conflicts
-/// (standsForAnother()). In these cases the real file exists elsewhere, and overwriting would lose it.
+/// (placeholderProblem()). In these cases the real file exists elsewhere, and overwriting would lose it.
 void checkReplaceable(const std::filesystem::path& folder, const std::string& profile, bool exact);
 
 /// Reads the picture baseline of a profile. Returns nothing if the file does not exist. Throws

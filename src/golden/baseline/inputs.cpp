@@ -82,8 +82,8 @@ Inputs inputsOf(const fs::path& scene, std::span<const fs::path> named) {
 void checkUnchanged(const Inputs& inputs) {
   for (const auto& [name, hash] : inputs) {
     const fs::path file = fileOf(name);
-    const bool there = pathExists(file);
-    if (!there && !hash.empty())
+    const bool exists = pathExists(file);
+    if (!exists && !hash.empty())
       fail(ExitCode::usage, "{} is gone since that run; run the test again, and accept what that makes",
            name);
     if (hashOf(file) != hash)

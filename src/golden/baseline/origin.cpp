@@ -2,24 +2,24 @@
 
 namespace simreel::golden {
 
-Asked asked(const Origin& there, const Origin& here) {
-  if (there.exact || here.exact) return Asked::exact;
+RequiredMatch requiredMatch(const Origin& there, const Origin& here) {
+  if (there.exact || here.exact) return RequiredMatch::exact;
   const bool sameDrawing = there.drawing.empty() || here.drawing.empty() || there.drawing == here.drawing;
-  if (there.numerics != here.numerics || !sameDrawing) return Asked::tolerance;
+  if (there.numerics != here.numerics || !sameDrawing) return RequiredMatch::tolerance;
   const bool known = !there.processor.empty() && !there.driver.empty();
-  return known && there.processor == here.processor && there.driver == here.driver ? Asked::equal
-                                                                                   : Asked::near;
+  return known && there.processor == here.processor && there.driver == here.driver ? RequiredMatch::equal
+                                                                                   : RequiredMatch::near;
 }
 
-const char* askedName(Asked asked) {
-  switch (asked) {
-    case Asked::exact:
+const char* requiredMatchName(RequiredMatch requiredMatch) {
+  switch (requiredMatch) {
+    case RequiredMatch::exact:
       return "exact";
-    case Asked::equal:
+    case RequiredMatch::equal:
       return "equal";
-    case Asked::near:
+    case RequiredMatch::near:
       return "near";
-    case Asked::tolerance:
+    case RequiredMatch::tolerance:
       break;
   }
   return "tolerance";

@@ -19,7 +19,7 @@ struct Origin {
 inline const Origin exactOrigin{"", "", "", "", true};
 
 /// How closely a picture must match its baseline, in order from the strictest.
-enum class Asked {
+enum class RequiredMatch {
   exact,  ///< At least one of the two pictures was drawn exactly. All pixels must be equal on every
           ///< machine.
   equal,  ///< This machine drew the baseline. All pixels must be equal.
@@ -31,8 +31,8 @@ enum class Asked {
 };
 /// Returns how closely a picture with origin `here` must match a baseline with origin `there`. An unknown
 /// drawing fingerprint counts as equal. An unknown machine counts as different.
-[[nodiscard]] Asked asked(const Origin& there, const Origin& here);
-/// Returns the word for `asked` in reports: "exact", "equal", "near" or "tolerance".
-[[nodiscard]] const char* askedName(Asked asked);
+[[nodiscard]] RequiredMatch requiredMatch(const Origin& there, const Origin& here);
+/// Returns the word for `requiredMatch` in reports: "exact", "equal", "near" or "tolerance".
+[[nodiscard]] const char* requiredMatchName(RequiredMatch requiredMatch);
 
 }  // namespace simreel::golden

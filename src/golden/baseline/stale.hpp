@@ -11,7 +11,7 @@ namespace simreel::golden {
 /// Finds the parts of a scene's baselines (`<scene's folder>/golden/<scene>`) that no test uses. These are
 /// frames not in `frames`, pictures that no baseline.json lists, and driver profiles if pictures are exact.
 /// If `remove` is true, also deletes them. Files that are unreadable, Git LFS pointers or in merge conflict
-/// (standsForAnother()) are reported but kept. Throws UserError(inputOutput) if removing fails.
+/// (placeholderProblem()) are reported but kept. Throws UserError(inputOutput) if removing fails.
 [[nodiscard]] std::vector<Stale> staleParts(const std::filesystem::path& folder,
                                             std::span<const int> frames, bool exactPictures, bool remove);
 

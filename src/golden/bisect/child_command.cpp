@@ -18,8 +18,8 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr int patience = 50;  ///< timeout of poll() in ms; needed because a signal may arrive just before
-                              ///< poll()
+constexpr int itemTimeout = 50;  ///< timeout of poll() in ms; needed because a signal may arrive just
+                                 ///< before poll()
 constexpr std::size_t longestLine = std::size_t{16} << 20;
 
 /// Returns the most informative line of a program's messages. This is the first simreel error, otherwise
@@ -94,7 +94,7 @@ bool ChildCommand::more() {
   for (;;) {
     checkTime();
     pollfd wait{output_, POLLIN, 0};
-    const int ready = ::poll(&wait, 1, patience);
+    const int ready = ::poll(&wait, 1, itemTimeout);
     if (ready < 0 && errno != EINTR)
       fail(ExitCode::inputOutput, "cannot read from {}: {}", name_, std::strerror(errno));
     if (ready <= 0) continue;

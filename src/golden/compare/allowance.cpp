@@ -46,13 +46,13 @@ class Values {
   [[nodiscard]] bool atBorder(int x, int y) const {
     return x == 0 || y == 0 || x == width_ - 1 || y == height_ - 1;
   }
-  /// True if a pixel within `radius` has this colour; each channel may differ by at most `apart`.
-  [[nodiscard]] bool has(const float* colour, int x, int y, int radius, double apart) const {
+  /// True if a pixel within `radius` has this colour; each channel may differ by at most `difference`.
+  [[nodiscard]] bool has(const float* colour, int x, int y, int radius, double difference) const {
     bool found = false;
     around(x, y, radius, [&](int u, int v) {
       const float* p = at(u, v);
       bool near = true;
-      for (int c = 0; c < 4; ++c) near = near && std::abs(double{p[c]} - double{colour[c]}) <= apart;
+      for (int c = 0; c < 4; ++c) near = near && std::abs(double{p[c]} - double{colour[c]}) <= difference;
       found = found || near;
     });
     return found;

@@ -21,14 +21,14 @@ struct RowDifference {
   int worstX = 0;
   int different = 0, beyond = 0;
 
-  void add(int x, double apart, int channel, std::uint8_t* marks) {
-    if (apart == 0) return;
+  void add(int x, double difference, int channel, std::uint8_t* marks) {
+    if (difference == 0) return;
     ++different;
-    if (apart > worst) {
-      worst = apart;
+    if (difference > worst) {
+      worst = difference;
       worstX = x;
     }
-    if (apart > channel) {
+    if (difference > channel) {
       ++beyond;
       marks[x] = 1;
     }
@@ -36,9 +36,9 @@ struct RowDifference {
 };
 
 int channelDifference(const std::uint8_t* a, const std::uint8_t* b) {
-  int apart = 0;
-  for (int c = 0; c < 4; ++c) apart = std::max(apart, std::abs(int{a[c]} - int{b[c]}));
-  return apart;
+  int difference = 0;
+  for (int c = 0; c < 4; ++c) difference = std::max(difference, std::abs(int{a[c]} - int{b[c]}));
+  return difference;
 }
 
 /// Compares one row. Sets `beyond` to 1 for each pixel with a channel difference above `channel`.
@@ -167,14 +167,14 @@ Metrics measure(const frame::Image& a, const frame::Image& b, const scene::Toler
   });
 }
 
-Metrics measureApart(const std::vector<float>& apart, const frame::Image& a, const frame::Image& b,
-                     const scene::Tolerance& tolerance, Measures measures) {
-  SIMREEL_CHECK_EQ(a.bytes.size(), 4 * apart.size());
-  SIMREEL_CHECK_EQ(b.bytes.size(), 4 * apart.size());
+Metrics measureDifferences(const std::vector<float>& difference, const frame::Image& a,
+                           const frame::Image& b, const scene::Tolerance& tolerance, Measures measures) {
+  SIMREEL_CHECK_EQ(a.bytes.size(), 4 * difference.size());
+  SIMREEL_CHECK_EQ(b.bytes.size(), 4 * difference.size());
   return measureRows(a, b, tolerance, measures, [&](std::size_t y, std::uint8_t* marks) {
     RowDifference row;
     for (int x = 0; x < a.width; ++x)
-      row.add(x, apart[y * std::size_t(a.width) + std::size_t(x)], tolerance.maxChannelDiff, marks);
+      row.add(x, difference[y * std::size_t(a.width) + std::size_t(x)], tolerance.maxChannelDiff, marks);
     return row;
   });
 }
@@ -188,22 +188,22 @@ std::vector<std::string> brokenBounds(const Metrics& metrics, const scene::Toler
                                       int height) {
   std::vector<std::string> broken;
   const int channel = tolerance.maxChannelDiff;
-  const std::string apart = channel == 0 ? "" : fmt::format(" by more than {}", channel);
+  const std::string difference = channel == 0 ? "" : fmt::format(" by more than {}", channel);
   if (tolerance.hardFail && metrics.worst > *tolerance.hardFail)
     broken.push_back(fmt::format("the pixel at x {}, y {} differs by {:.4g} (hardFail is {})",
                                  metrics.worstX, metrics.worstY, metrics.worst, *tolerance.hardFail));
   if (tolerance.maxDiffPixels && double(metrics.pixelsBeyond) > *tolerance.maxDiffPixels)
     broken.push_back(fmt::format("{} pixel{}{} (maxDiffPixels is {})", metrics.pixelsBeyond,
-                                 metrics.pixelsBeyond == 1 ? " differs" : "s differ", apart,
+                                 metrics.pixelsBeyond == 1 ? " differs" : "s differ", difference,
                                  *tolerance.maxDiffPixels));
   if (metrics.ratioBeyond > allowedRatio(tolerance))
     broken.push_back(fmt::format("{} of the pixels differ{} (maxDiffRatio is {})",
-                                 percent(metrics.ratioBeyond), apart, allowedRatio(tolerance)));
+                                 percent(metrics.ratioBeyond), difference, allowedRatio(tolerance)));
   if (tolerance.maxWindowRatio && metrics.windowRatio > *tolerance.maxWindowRatio)
     broken.push_back(fmt::format("{} of the {}x{} window at x {}, y {} differ{} (maxWindowRatio is {})",
                                  percent(metrics.windowRatio), std::min(tolerance.windowSize, width),
                                  std::min(tolerance.windowSize, height), metrics.windowX, metrics.windowY,
-                                 apart, *tolerance.maxWindowRatio));
+                                 difference, *tolerance.maxWindowRatio));
   if (const double flip = metrics.flipMean.value_or(0);
       tolerance.maxFlipMean && flip > *tolerance.maxFlipMean)
     broken.push_back(

@@ -19,11 +19,11 @@ enum class Measures { all, quick };
 [[nodiscard]] Metrics measure(const frame::Image& a, const frame::Image& b,
                               const scene::Tolerance& tolerance, Measures measures = Measures::all);
 
-/// Compares deep pictures. `apart`: largest channel difference of each pixel in units of 1/255. `a` and
-/// `b`: 8-bit versions for display.
-[[nodiscard]] Metrics measureApart(const std::vector<float>& apart, const frame::Image& a,
-                                   const frame::Image& b, const scene::Tolerance& tolerance,
-                                   Measures measures = Measures::all);
+/// Compares deep pictures. `difference`: largest channel difference of each pixel in units of 1/255. `a`
+/// and `b`: 8-bit versions for display.
+[[nodiscard]] Metrics measureDifferences(const std::vector<float>& difference, const frame::Image& a,
+                                         const frame::Image& b, const scene::Tolerance& tolerance,
+                                         Measures measures = Measures::all);
 
 /// Returns the fraction of pixels that may differ. This is maxDiffRatio if it is given, 1 if only
 /// maxDiffPixels is given, and otherwise 0.02.

@@ -45,9 +45,9 @@ std::vector<LayerPair> pairLayers(const Picture& a, const Picture& b, Comparison
                                    fmt::join(names, ", "));
     return pairs;
   }
-  for (const auto& [names, who] :
+  for (const auto& [names, side] :
        {std::pair(layersOnlyIn(a, b), "baseline"), std::pair(layersOnlyIn(b, a), "picture")})
-    if (!names.empty()) clauses.push_back(fmt::format("only the {} has {}", who, fmt::join(names, ", ")));
+    if (!names.empty()) clauses.push_back(fmt::format("only the {} has {}", side, fmt::join(names, ", ")));
   for (const PictureLayer& layer : a.layers) {
     const PictureLayer* other = layerOf(b, layer.name);
     if (other == nullptr || layer == *other) continue;
@@ -69,10 +69,10 @@ std::string layerWords(const std::vector<LayerPair>& pairs, const std::vector<Ex
     double worst = 0;
     for (std::size_t pixel = 0; pixel < a->bits.size(); ++pixel) {
       if (!excuses.empty() && excuses[pixel] != Excuse::none) continue;
-      const double apart = a->apart(*b, pixel);
-      count += apart > 0 ? 1 : 0;
-      if (apart <= worst) continue;
-      worst = apart;
+      const double difference = a->difference(*b, pixel);
+      count += difference > 0 ? 1 : 0;
+      if (difference <= worst) continue;
+      worst = difference;
       at = pixel;
     }
     if (count == 0) continue;
@@ -96,10 +96,10 @@ struct DeepPair {
 
   /// Returns the largest channel difference in units of 1/255, at most 255. The result is above 0 whenever
   /// the files' numbers differ.
-  [[nodiscard]] double apart(std::size_t pixel) const {
+  [[nodiscard]] double difference(std::size_t pixel) const {
     double worst = 0;
     for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i) worst = std::max(worst, channelApart(i));
-    for (const LayerPair& layer : layers) worst = std::max(worst, layer.a->apart(*layer.b, pixel));
+    for (const LayerPair& layer : layers) worst = std::max(worst, layer.a->difference(*layer.b, pixel));
     return worst;
   }
 
@@ -130,8 +130,8 @@ double deepPsnr(const DeepPair& pair) {
     const std::size_t pixels = pair.a.size() / 4;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel)
       for (std::size_t c = 0; c < 3; ++c) {
-        const double apart = over(pair.a, pixel, c) - over(pair.b, pixel, c);
-        squares += apart * apart;
+        const double difference = over(pair.a, pixel, c) - over(pair.b, pixel, c);
+        squares += difference * difference;
       }
     if (squares > 0)
       worst = std::min(worst, 10 * std::log10(255.0 * 255.0 * 3 * static_cast<double>(pixels) / squares));
@@ -206,14 +206,14 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
     made.metrics = measure(a.image, b.image, tolerance, measures);
   } else {
     const DeepPair pair{inUnits(a), inUnits(b), a.depth == b.depth, a, b, layers};
-    std::vector<float> apart(std::size_t(width) * std::size_t(height));
-    made.apart.resize(apart.size());
-    for (std::size_t pixel = 0; pixel < apart.size(); ++pixel) {
+    std::vector<float> difference(std::size_t(width) * std::size_t(height));
+    made.difference.resize(difference.size());
+    for (std::size_t pixel = 0; pixel < difference.size(); ++pixel) {
       const bool excused = !made.excuses.empty() && made.excuses[pixel] != Excuse::none;
-      apart[pixel] = excused ? 0.0F : static_cast<float>(pair.apart(pixel));
-      made.apart[pixel] = static_cast<std::uint8_t>(std::ceil(apart[pixel]));
+      difference[pixel] = excused ? 0.0F : static_cast<float>(pair.difference(pixel));
+      made.difference[pixel] = static_cast<std::uint8_t>(std::ceil(difference[pixel]));
     }
-    made.metrics = measureApart(apart, a.image, b.image, tolerance, measures);
+    made.metrics = measureDifferences(difference, a.image, b.image, tolerance, measures);
     if (a.depth != Depth::linear && b.depth != Depth::linear) made.metrics.psnr = deepPsnr(pair);
     if (!layers.empty()) made.layerNote = layerWords(layers, made.excuses, width);
   }
@@ -226,8 +226,8 @@ Comparison compare(const Picture& baseline, const Picture& picture, const scene:
 }
 
 frame::Image differenceImage(const Comparison& comparison) {
-  frame::Image image = comparison.apart.empty() ? differenceImage(comparison.a, comparison.b)
-                                                : differenceImage(comparison.a, comparison.apart);
+  frame::Image image = comparison.difference.empty() ? differenceImage(comparison.a, comparison.b)
+                                                     : differenceImage(comparison.a, comparison.difference);
   constexpr std::array<std::array<std::uint8_t, 3>, 4> tints = {
       {{0, 0, 0}, {70, 30, 110}, {190, 190, 200}, {120, 80, 50}}};
   for (std::size_t pixel = 0; pixel < comparison.excuses.size(); ++pixel) {

@@ -27,7 +27,7 @@ struct Comparison {
   std::vector<Excuse> excuses;  ///< excuse of each pixel; empty if no pixel is excused
   /// Largest channel difference of each pixel in units of 1/255, rounded up. A difference can be
   /// too small to appear in the 8-bit pictures `a` and `b`.
-  std::vector<std::uint8_t> apart;
+  std::vector<std::uint8_t> difference;
 };
 
 /// Compares pictures of any bit depth. Pictures of different sizes are padded at the right and bottom to

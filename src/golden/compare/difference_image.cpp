@@ -19,12 +19,12 @@ std::array<Colour, 256> heatColours() {
   constexpr std::array<std::array<double, 3>, 4> stops = {
       {{70, 120, 255}, {0, 210, 140}, {255, 220, 0}, {255, 30, 20}}};
   std::array<Colour, 256> colours{};
-  for (std::size_t apart = 1; apart < colours.size(); ++apart) {
-    const double at = std::log(double(apart)) / std::log(255.0) * (stops.size() - 1);
+  for (std::size_t difference = 1; difference < colours.size(); ++difference) {
+    const double at = std::log(double(difference)) / std::log(255.0) * (stops.size() - 1);
     const std::size_t stop = std::min(stops.size() - 2, static_cast<std::size_t>(at));
     const double t = at - double(stop);
     for (std::size_t c = 0; c < 3; ++c)
-      colours[apart][c] =
+      colours[difference][c] =
           static_cast<std::uint8_t>(std::lround(stops[stop][c] * (1 - t) + stops[stop + 1][c] * t));
   }
   return colours;
@@ -41,24 +41,24 @@ std::uint8_t dimmed(const std::uint8_t* pixel) {
 frame::Image differenceImage(const frame::Image& a, const frame::Image& b) {
   SIMREEL_CHECK_EQ(a.width, b.width);
   SIMREEL_CHECK_EQ(a.height, b.height);
-  std::vector<std::uint8_t> apart(a.bytes.size() / 4);
-  for (std::size_t pixel = 0; pixel < apart.size(); ++pixel)
+  std::vector<std::uint8_t> difference(a.bytes.size() / 4);
+  for (std::size_t pixel = 0; pixel < difference.size(); ++pixel)
     for (std::size_t i = 4 * pixel; i < 4 * pixel + 4; ++i)
-      apart[pixel] =
-          std::max(apart[pixel], static_cast<std::uint8_t>(std::abs(int{a.bytes[i]} - int{b.bytes[i]})));
-  return differenceImage(a, apart);
+      difference[pixel] = std::max(difference[pixel],
+                                   static_cast<std::uint8_t>(std::abs(int{a.bytes[i]} - int{b.bytes[i]})));
+  return differenceImage(a, difference);
 }
 
-frame::Image differenceImage(const frame::Image& a, const std::vector<std::uint8_t>& apart) {
-  SIMREEL_CHECK_EQ(a.bytes.size(), 4 * apart.size());
+frame::Image differenceImage(const frame::Image& a, const std::vector<std::uint8_t>& difference) {
+  SIMREEL_CHECK_EQ(a.bytes.size(), 4 * difference.size());
   static const std::array<Colour, 256> heat = heatColours();
   frame::Image result{a.width, a.height, std::vector<std::uint8_t>(a.bytes.size(), 255)};
-  for (std::size_t pixel = 0; pixel < apart.size(); ++pixel) {
+  for (std::size_t pixel = 0; pixel < difference.size(); ++pixel) {
     std::uint8_t* const to = result.bytes.data() + 4 * pixel;
-    if (apart[pixel] == 0)
+    if (difference[pixel] == 0)
       std::fill(to, to + 3, dimmed(a.bytes.data() + 4 * pixel));
     else
-      std::copy(heat[apart[pixel]].begin(), heat[apart[pixel]].end(), to);
+      std::copy(heat[difference[pixel]].begin(), heat[difference[pixel]].end(), to);
   }
   return result;
 }

@@ -12,6 +12,7 @@ namespace simreel::golden {
 [[nodiscard]] frame::Image differenceImage(const frame::Image& a, const frame::Image& b);
 /// Returns the difference image for known differences of each pixel, rounded up. It is used for deep
 /// pictures.
-[[nodiscard]] frame::Image differenceImage(const frame::Image& a, const std::vector<std::uint8_t>& apart);
+[[nodiscard]] frame::Image differenceImage(const frame::Image& a,
+                                           const std::vector<std::uint8_t>& difference);
 
 }  // namespace simreel::golden

@@ -4,7 +4,7 @@
 
 namespace simreel::golden {
 
-HalfKernel gaussianKernel(double sigma, int radius, double least) {
+HalfKernel gaussianKernel(double sigma, int radius, double minimum) {
   std::vector<double> weights;
   double sum = 0;
   for (int x = 0; x <= radius; ++x) {
@@ -13,7 +13,7 @@ HalfKernel gaussianKernel(double sigma, int radius, double least) {
   }
   HalfKernel kernel;
   for (const double weight : weights)
-    if (weight >= least) kernel.push_back(static_cast<float>(weight / sum));
+    if (weight >= minimum) kernel.push_back(static_cast<float>(weight / sum));
   return kernel;
 }
 

@@ -11,8 +11,8 @@ namespace simreel::golden {
 using HalfKernel = std::vector<float>;
 
 /// Returns the Gaussian exp(-x^2 / (2 sigma^2)) for x = 0 to radius, normalized so that the whole kernel
-/// sums to 1. Leaves out weights below `least` times the centre weight.
-[[nodiscard]] HalfKernel gaussianKernel(double sigma, int radius, double least = 0);
+/// sums to 1. Leaves out weights below `minimum` times the centre weight.
+[[nodiscard]] HalfKernel gaussianKernel(double sigma, int radius, double minimum = 0);
 
 /// Number of values that filters compute at a time. Filters therefore read and write beyond the end of a
 /// row, up to a multiple of this number.

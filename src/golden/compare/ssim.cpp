@@ -140,8 +140,8 @@ double psnr(const frame::Image& a, const frame::Image& b) {
     std::int64_t sum = 0;
     for (int x = 0; x < a.width; ++x)
       for (int c = 0; c < 3; ++c) {
-        const int apart = int{rowA[4 * x + c]} - int{rowB[4 * x + c]};
-        sum += apart * apart;
+        const int difference = int{rowA[4 * x + c]} - int{rowB[4 * x + c]};
+        sum += difference * difference;
       }
     return double(sum);
   });

@@ -25,7 +25,7 @@ long conflictLine(std::string_view text) {
 
 }  // namespace
 
-std::string standsForAnother(std::string_view bytes) {
+std::string placeholderProblem(std::string_view bytes) {
   if (bytes.starts_with("version https://git-lfs.github.com/spec/"))
     return "is a Git LFS pointer, not the file itself; fetch that with git lfs pull";
   // PNG's signature is designed to reveal the conversion of line ends: CR LF became LF, or LF became CR LF.

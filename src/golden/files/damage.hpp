@@ -9,7 +9,7 @@ namespace simreel::golden {
 /// not be overwritten, because the real file exists elsewhere. The description follows the file name in
 /// messages and says how to get the real file: "is a Git LFS pointer, not the file itself; fetch that with
 /// git lfs pull". Returns an empty text for other files.
-[[nodiscard]] std::string standsForAnother(std::string_view bytes);
+[[nodiscard]] std::string placeholderProblem(std::string_view bytes);
 
 /// Advice for damaged files, which messages append after "; ".
 inline constexpr const char* restoreIt = "restore it (git checkout -- FILE), do not write it anew";

@@ -30,9 +30,9 @@ namespace simreel::golden {
 
 namespace {
 
-constexpr double mostValues = 5e8;
+constexpr double valueLimit = 5e8;
 /// max number of values per file byte; OpenEXR's compressions never reach it
-constexpr double mostOfOneByte = 65536;
+constexpr double maxOfOneByte = 65536;
 
 std::string hashOf(const std::vector<std::uint32_t>& values) {
   return hashHex(std::as_bytes(std::span(values)));
@@ -112,9 +112,9 @@ class PartLayers {
     for (auto at = header_.channels().begin(); at != header_.channels().end(); ++at) {
       const Imf::Channel& found = at.channel();
       values += width * height;
-      if (width < 1 || height < 1 || values > mostValues)
+      if (width < 1 || height < 1 || values > valueLimit)
         throw std::runtime_error("more than 500 million values in its layers");
-      if (values > mostOfOneByte * static_cast<double>(bytes_.size()))
+      if (values > maxOfOneByte * static_cast<double>(bytes_.size()))
         throw std::runtime_error("more values in its layers than its bytes can hold");
       const bool whole = found.type == Imf::UINT;
       Channel& channel = channels_[at.name()];
@@ -160,14 +160,14 @@ float PictureLayer::number(std::size_t pixel) const {
   return std::bit_cast<float>(bits[pixel]);
 }
 
-double PictureLayer::apart(const PictureLayer& other, std::size_t pixel) const {
-  constexpr double most = 255, hair = 1e-6;
+double PictureLayer::difference(const PictureLayer& other, std::size_t pixel) const {
+  constexpr double maximum = 255, hair = 1e-6;
   if (bits[pixel] == other.bits[pixel]) return 0;
-  if (kind != Kind::number || other.kind != Kind::number) return most;
+  if (kind != Kind::number || other.kind != Kind::number) return maximum;
   const float a = number(pixel), b = other.number(pixel);
   if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
-  const double between = most * std::abs(double{a} - double{b});
-  return std::isnan(between) ? most : std::clamp(between, hair, most);
+  const double between = maximum * std::abs(double{a} - double{b});
+  return std::isnan(between) ? maximum : std::clamp(between, hair, maximum);
 }
 
 std::vector<PictureLayer> readExrLayers(std::string_view bytes, const std::string& label) {

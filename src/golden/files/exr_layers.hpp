@@ -24,7 +24,7 @@ struct PictureLayer {
   [[nodiscard]] float number(std::size_t pixel) const;
   /// Returns the difference of the two layers at a pixel in units of 1/255. It is 0 if the values are
   /// equal, and otherwise more than 0 and at most 255.
-  [[nodiscard]] double apart(const PictureLayer& other, std::size_t pixel) const;
+  [[nodiscard]] double difference(const PictureLayer& other, std::size_t pixel) const;
 };
 
 /// Reads all layers of an OpenEXR file, sorted by name. Data that is not one value for each pixel (deep

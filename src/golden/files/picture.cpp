@@ -144,9 +144,9 @@ Picture decodeDeep(std::string_view bytes, const std::string& label) {
   if (!size) refuse(sim::stbReason());
   if (size->x < 1 || size->y < 1) refuse("no width or no height");
   const std::size_t pixels = std::size_t(size->x) * std::size_t(size->y);
-  if (pixels > mostPicturePixels)
+  if (pixels > maxPicturePixels)
     refuse(
-        fmt::format("{}x{}, more than {} million pixels", size->x, size->y, mostPicturePixels / 1'000'000));
+        fmt::format("{}x{}, more than {} million pixels", size->x, size->y, maxPicturePixels / 1'000'000));
   // deflate expands each byte to at most 1032 bytes, and a pixel has at least two bytes
   if (static_cast<double>(pixels) * 2 > static_cast<double>(bytes.size()) * 1032)
     refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", size->x, size->y, bytes.size()));
@@ -179,7 +179,7 @@ void check(std::string_view bytes, const char* what, const std::string& name) {
   const auto refuse = [&](const std::string& why) {
     fail(ExitCode::inputOutput, "{} {} {}", what, name, why);
   };
-  if (const std::string other = standsForAnother(bytes); !other.empty()) refuse(other);
+  if (const std::string other = placeholderProblem(bytes); !other.empty()) refuse(other);
   if (bytes.empty()) refuse(fmt::format("is empty; {}", restoreIt));
   switch (kindOf(bytes)) {
     case Kind::png:

@@ -11,7 +11,7 @@
 namespace simreel::golden {
 
 /// Max number of pixels. A file that declares more is damaged or too large to compare.
-inline constexpr std::size_t mostPicturePixels = std::size_t{1} << 28;
+inline constexpr std::size_t maxPicturePixels = std::size_t{1} << 28;
 
 /// Number format of a picture file.
 enum class Depth {
@@ -41,8 +41,8 @@ void readBytes(const std::filesystem::path& path, const char* what, std::string&
 
 /// Decodes PNG (8 and 16 bits, grey, palette, alpha), JPEG, Radiance HDR, OpenEXR and PNM. The first bytes
 /// of the file determine the format. Throws UserError(inputOutput) for other formats, damaged files,
-/// pictures larger than mostPicturePixels (OpenEXR, Radiance and PNM: more than 16384 pixels per side), and
-/// files for which standsForAnother() returns a description, such as Git LFS pointers.
+/// pictures larger than maxPicturePixels (OpenEXR, Radiance and PNM: more than 16384 pixels per side), and
+/// files for which placeholderProblem() returns a description, such as Git LFS pointers.
 [[nodiscard]] Picture decodePicture(std::string_view bytes, const char* what, const std::string& name);
 [[nodiscard]] Picture readPicture(const std::filesystem::path& path, const char* what);
 

@@ -39,7 +39,7 @@ std::string formatProblem(std::string_view header) {
 
 /// Returns a description of what is wrong with the file, to follow the file name, or an empty text.
 std::string problem(std::string_view file) {
-  if (std::string other = standsForAnother(file); !other.empty()) return other;
+  if (std::string other = placeholderProblem(file); !other.empty()) return other;
   if (file.empty()) return fmt::format("is empty; {}", restoreIt);
   // A file that ends within the signature is treated as a truncated PNG.
   if (file.substr(0, pngSignature.size()) !=

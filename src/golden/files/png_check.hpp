@@ -11,7 +11,7 @@
 namespace simreel::golden {
 
 /// Rejects files that cannot be compared exactly. These are files that are empty, cut off, corrupt (every
-/// chunk's checksum is checked), animated, not PNG, or not the real file (standsForAnother()). Throws
+/// chunk's checksum is checked), animated, not PNG, or not the real file (placeholderProblem()). Throws
 /// UserError(inputOutput) with a one-line message that starts with `what` ("baseline") and `name`.
 void checkPng(std::span<const std::byte> file, const char* what, const std::string& name);
 

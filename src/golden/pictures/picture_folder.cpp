@@ -57,11 +57,11 @@ PictureFolder listPictures(const fs::path& folder) {
 }
 
 std::string someOf(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 5;
+  constexpr std::size_t maximum = 5;
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+  for (std::size_t i = 0; i < std::min(maximum, names.size()); ++i)
     text += (i == 0 ? "" : ", ") + oneLine(names[i]);
-  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+  if (names.size() > maximum) text += fmt::format(" and {} more", names.size() - maximum);
   return text;
 }
 

@@ -14,7 +14,7 @@ namespace simreel::golden {
 namespace {
 
 /// Max number of annotations of each kind that GitHub shows.
-constexpr std::size_t mostShown = 10;
+constexpr std::size_t shownLimit = 10;
 
 /// Escapes the value of a workflow command (the part after "::"). Properties such as file= and title= must
 /// also escape ':' and ',', which `separators` adds.
@@ -48,7 +48,7 @@ std::string annotation(const char* level, const SceneResult& scene, std::string_
 /// Joins the annotations of one kind. If there are too many, joins nine of them and one annotation with the
 /// number of omitted annotations.
 std::string asMany(const std::vector<std::string>& all, const char* level) {
-  const std::size_t shown = all.size() <= mostShown ? all.size() : mostShown - 1;
+  const std::size_t shown = all.size() <= shownLimit ? all.size() : shownLimit - 1;
   std::string text;
   for (std::size_t i = 0; i < shown; ++i) text += all[i];
   if (shown < all.size())

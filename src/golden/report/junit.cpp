@@ -63,8 +63,8 @@ std::string outputText(const SuiteResult& suite, const SceneResult& scene) {
   for (std::size_t i = 0; i < scene.attempts.size(); ++i)
     for (const std::string& message : scene.attempts[i].messages)
       text += fmt::format("attempt {}: {}\n", i + 1, message);
-  if (!scene.asked.empty() && scene.asked != askedName(Asked::exact) &&
-      scene.asked != askedName(Asked::equal))
+  if (!scene.asked.empty() && scene.asked != requiredMatchName(RequiredMatch::exact) &&
+      scene.asked != requiredMatchName(RequiredMatch::equal))
     text += "pictures compared " + comparedText(scene) + "\n";
   for (const std::string& note : scene.notes) text += "note: " + note + "\n";
   return text + imageLines(suite, scene);

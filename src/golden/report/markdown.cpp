@@ -62,16 +62,16 @@ std::string failureRow(const SuiteResult& suite, const SceneResult& scene) {
 
 /// Lists the stale baselines and notes of the run.
 std::string aboutRun(const SuiteResult& suite) {
-  constexpr std::size_t most = 50;
+  constexpr std::size_t maximum = 50;
   std::vector<std::string> lines;
   for (const Stale& stale : suite.stale)
     lines.push_back(fmt::format("- {}: {}: {}\n", stale.removed ? "removed" : "stale", cell(stale.path),
                                 cell(stale.message)));
   for (const std::string& note : suite.notes) lines.push_back(fmt::format("- {}\n", cell(note)));
   if (lines.empty()) return "";
-  if (lines.size() > most) {
-    const std::size_t more = lines.size() - most;
-    lines.resize(most);
+  if (lines.size() > maximum) {
+    const std::size_t more = lines.size() - maximum;
+    lines.resize(maximum);
     lines.push_back(fmt::format("- and {} more\n", more));
   }
   return fmt::format("{}\n", fmt::join(lines, ""));
@@ -143,11 +143,11 @@ std::string pictureRow(const SceneResult& scene, const PictureAddress& address) 
 
 /// Returns a table with the pictures of at most 50 scenes, as many as fit into `room` bytes.
 std::string pictureTable(const SuiteResult& suite, const PictureAddress& address, std::size_t room) {
-  constexpr std::size_t most = 50;
+  constexpr std::size_t maximum = 50;
   std::string rows;
   std::size_t shown = 0, left = 0;
   for (const SceneResult* scene : failures(suite)) {
-    if (shown == most || rows.size() > room) {
+    if (shown == maximum || rows.size() > room) {
       ++left;
       continue;
     }

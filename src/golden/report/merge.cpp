@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Copies pictures and candidates from one report's folder to another, and adjusts their paths.
-class Luggage {
+class ReportFiles {
  public:
-  Luggage(fs::path from, fs::path to, std::vector<std::string>& notes)
+  ReportFiles(fs::path from, fs::path to, std::vector<std::string>& notes)
       : from_(std::move(from)), to_(std::move(to)), notes_(notes) {}
 
   void carry(SceneResult& scene) {
@@ -75,14 +75,14 @@ class Luggage {
 };
 
 void checkTogether(const PartReport& first, const PartReport& part) {
-  const auto apart = [&](const char* what, const std::string& a, const std::string& b) {
+  const auto requireEqual = [&](const char* what, const std::string& a, const std::string& b) {
     if (a != b)
       fail(ExitCode::usage, "{} and {} do not belong together: the {} is {} and {}", first.file.string(),
            part.file.string(), what, a.empty() ? "none" : a, b.empty() ? "none" : b);
   };
-  apart("unit", first.suite.unit, part.suite.unit);
-  apart("folder of baselines", first.suite.expected, part.suite.expected);
-  apart("version", first.suite.version, part.suite.version);
+  requireEqual("unit", first.suite.unit, part.suite.unit);
+  requireEqual("folder of baselines", first.suite.expected, part.suite.expected);
+  requireEqual("version", first.suite.version, part.suite.version);
 }
 
 /// Adds a stale baseline, or merges it with the entry of another report. Keeps the more detailed message,
@@ -172,7 +172,7 @@ Merged mergeReports(const std::vector<PartReport>& parts, const fs::path& folder
     all.seconds = std::max(all.seconds, part.suite.seconds);
     addNotes(part, all.notes);
     for (const Stale& stale : part.suite.stale) addStale(stale, all.stale);
-    Luggage luggage(part.file.parent_path(), folder, all.notes);
+    ReportFiles luggage(part.file.parent_path(), folder, all.notes);
     for (SceneResult scene : part.suite.scenes) {
       luggage.carry(scene);
       all.scenes.push_back(std::move(scene));

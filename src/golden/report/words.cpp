@@ -17,7 +17,7 @@ constexpr std::string_view replacement = "\xEF\xBF\xBD";  // replacement charact
 /// True if every program can display this well-formed UTF-8 character.
 bool isPlain(std::string_view character) {
   if (character == "\t" || character == "\n") return true;
-  return !steersTerminal(character) && character != "\xEF\xBF\xBE" &&
+  return !isTerminalControl(character) && character != "\xEF\xBF\xBE" &&
          character != "\xEF\xBF\xBF";  // noncharacters U+FFFE, U+FFFF
 }
 
@@ -80,24 +80,25 @@ std::string flakyText(const SceneResult& scene) {
 
 std::string comparedText(const SceneResult& scene) {
   if (scene.asked.empty()) return "";
-  if (scene.asked == askedName(Asked::exact)) return "exactly: drawn in exact arithmetic";
-  if (scene.asked == askedName(Asked::equal)) return "exactly: this machine drew the baseline";
-  if (scene.asked == askedName(Asked::near))
+  if (scene.asked == requiredMatchName(RequiredMatch::exact)) return "exactly: drawn in exact arithmetic";
+  if (scene.asked == requiredMatchName(RequiredMatch::equal))
+    return "exactly: this machine drew the baseline";
+  if (scene.asked == requiredMatchName(RequiredMatch::near))
     return fmt::format("within {} of 255: another machine with the same numerics drew the baseline",
                        nearChannel);
   return "within the tolerance: other numerics drew the baseline";
 }
 
 std::string comparedText(const SuiteResult& suite) {
-  const auto count = [&](Asked asked) {
+  const auto count = [&](RequiredMatch asked) {
     return std::count_if(suite.scenes.begin(), suite.scenes.end(),
-                         [&](const SceneResult& scene) { return scene.asked == askedName(asked); });
+                         [&](const SceneResult& scene) { return scene.asked == requiredMatchName(asked); });
   };
   std::string text;
-  if (const auto near = count(Asked::near); near > 0)
+  if (const auto near = count(RequiredMatch::near); near > 0)
     text = fmt::format("{} within {} of 255 (another machine with the same numerics drew the baseline)",
                        counted(near, "scene"), nearChannel);
-  if (const auto loose = count(Asked::tolerance); loose > 0)
+  if (const auto loose = count(RequiredMatch::tolerance); loose > 0)
     text += fmt::format("{}{} within the tolerance (other numerics drew the baseline)",
                         text.empty() ? "" : ", ", counted(loose, "scene"));
   return text;

@@ -41,8 +41,8 @@ std::string textOf(const std::filesystem::path& file) {
 
 /// Returns the line of the failing check in the list of checks in the text.
 std::optional<int> lineOfCheck(const std::string& text, const CheckResult& check) {
-  scene::Diagnostics unheard("", text);
-  const auto root = scene::parseJson(text, 0, 0, unheard);
+  scene::Diagnostics ignored("", text);
+  const auto root = scene::parseJson(text, 0, 0, ignored);
   const scene::Node* checks = root ? root->find("checks") : nullptr;
   if (checks == nullptr) return std::nullopt;
   const auto says = [](const scene::Node& node, const char* key) {

@@ -326,10 +326,10 @@ bool Checker::checkBounds(Item& item, double value, CheckResult& result) {
   const scene::Check& check = item.check;
   const int since = item.frames.front();
   if (!item.first && check.drift && result.frame != since) {
-    if (!item.told)
+    if (!item.reported)
       warn("drift of {} was not checked: this run did not begin before frame {}, from which it is counted",
            item.label, since);
-    item.told = true;
+    item.reported = true;
     return false;
   }
   if (!item.first) item.first = value;

@@ -50,7 +50,7 @@ class Checker {
     std::vector<int> frames;                     ///< frames to check, ascending
     std::optional<double> first = std::nullopt;  ///< value at the first of the check's frames
     /// true if the warning about a missing first value was printed
-    bool told = false;
+    bool reported = false;
   };
   class Resolver;
   class StateOfFrame;

@@ -82,8 +82,8 @@ Contrast contrastOf(const frame::Image& image) {
   const double mean = sum / pixels;
   double squares = 0;
   for (std::size_t i = 0; i < image.bytes.size(); i += 4) {
-    const double apart = luma(first + i) - mean;
-    squares += apart * apart;
+    const double difference = luma(first + i) - mean;
+    squares += difference * difference;
   }
   contrast.lumaDeviation = std::sqrt(squares / pixels);
   return contrast;

@@ -71,7 +71,7 @@ struct Nearest {
 /// pixels.
 Nearest nearest(const RunFrame& made, const Reference& reference, const PictureBaseline::Frame& stored,
                 Measures measures) {
-  const bool near = asked(stored.origin, reference.here) == Asked::near;
+  const bool near = requiredMatch(stored.origin, reference.here) == RequiredMatch::near;
   if (near || reference.tolerance.maxFlipMean) measures = Measures::all;
   std::optional<Nearest> best;
   for (int i = 0; i <= static_cast<int>(stored.alternates.size()); ++i) {
@@ -133,7 +133,7 @@ bool judgePixels(const RunFrame& made, const Reference& reference, Measures meas
   Nearest found = nearest(made, reference, *stored, measures);
   result.alternate = found.alternate;
   result.metrics = found.metrics;
-  if (asked(stored->origin, reference.here) <= Asked::equal) {
+  if (requiredMatch(stored->origin, reference.here) <= RequiredMatch::equal) {
     addMessage(result, Status::fail, unequal(found.metrics, stored->origin, reference.here));
     return true;
   }
@@ -163,7 +163,7 @@ Judgement judgeFrame(const RunFrame& made, const Reference& reference, Measures 
   result.time = made.time;
   result.pixels = made.pixels;
   const PictureBaseline::Frame* stored = find(reference, made.frame);
-  if (stored != nullptr) result.asked = askedName(asked(stored->origin, reference.here));
+  if (stored != nullptr) result.asked = requiredMatchName(requiredMatch(stored->origin, reference.here));
   const bool sameNumerics = stored == nullptr || stored->origin.numerics == reference.here.numerics;
   judgeState(made, reference, sameNumerics, result);
   try {
@@ -234,7 +234,7 @@ std::vector<std::string> looseBounds(const std::vector<FrameResult>& frames,
   std::map<std::string, double> observed;
   for (const FrameResult& frame : frames) {
     // Only frames drawn with other numerics use the tolerance.
-    if (!frame.metrics || frame.asked != askedName(Asked::tolerance)) continue;
+    if (!frame.metrics || frame.asked != requiredMatchName(RequiredMatch::tolerance)) continue;
     const Metrics& m = *frame.metrics;
     const auto raise = [&](const char* field, double value) {
       observed[field] = std::max(observed[field], value);

@@ -25,7 +25,7 @@ namespace {
 /// Max size of steps.bin, small enough for a repository.
 constexpr std::size_t maxTraceBytes = std::size_t{96} << 10;
 /// Max number of differing runs whose pictures are stored.
-constexpr std::size_t mostOtherRuns = 7;
+constexpr std::size_t maxOtherRuns = 7;
 
 }  // namespace
 
@@ -100,12 +100,12 @@ void SceneTest::describeBaseline() {
   result_.baselineDriver = pictures.driver;
   result_.baselineVersion = pictures.version;
   result_.baselineReason = pictures.reason;
-  std::optional<Asked> min;
+  std::optional<RequiredMatch> min;
   for (const auto& [frame, stored] : pictures.frames) {
-    const Asked one = asked(stored.origin, origin_);
+    const RequiredMatch one = requiredMatch(stored.origin, origin_);
     if (min && one <= *min) continue;
     min = one;
-    result_.asked = askedName(one);
+    result_.asked = requiredMatchName(one);
     result_.baselineProcessor = stored.origin.processor;
   }
 }
@@ -130,7 +130,7 @@ void SceneTest::resolveTolerance() {
     }
   for (const auto& [field, value] : options_.tolerance) {
     setBound(tolerance, field, value);
-    origins[field] = "--" + scene::apart(field, '-');
+    origins[field] = "--" + scene::splitCamelCase(field, '-');
   }
   reference_.tolerance = tolerance;
   for (const auto& [field, value] : boundsInForce(tolerance))
@@ -156,7 +156,7 @@ void SceneTest::repeat() {
     });
     if (known != others_.end())
       known->numbers.push_back(number);
-    else if (others_.size() < mostOtherRuns)
+    else if (others_.size() < maxOtherRuns)
       others_.push_back({{number}, std::move(again)});
     else
       ++uncounted_;

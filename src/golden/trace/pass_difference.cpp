@@ -162,10 +162,10 @@ class Comparison {
 }  // namespace
 
 std::optional<float> nearnessOf(std::uint32_t key) {
-  constexpr std::uint32_t most = 0x7fffffffU;  // constant of nearKey() in
-                                               // glsl/draw/exact/triangles/triangle.glsl
-  if (key > most) return std::nullopt;
-  return std::bit_cast<float>(most - key);
+  constexpr std::uint32_t maximum = 0x7fffffffU;  // constant of nearKey() in
+                                                  // glsl/draw/exact/triangles/triangle.glsl
+  if (key > maximum) return std::nullopt;
+  return std::bit_cast<float>(maximum - key);
 }
 
 std::optional<PassDifference> comparePasses(const PassDump& here, const PassDump& there) {

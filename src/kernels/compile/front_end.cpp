@@ -169,16 +169,16 @@ std::optional<std::vector<std::uint32_t>> attempt(Files& files, const Unit& unit
   if (hlsl) messages = static_cast<EShMessages>(messages | EShMsgReadHlsl);
   Includer includer(files);
   const bool parsed = shader.parse(GetDefaultResources(), hlsl ? 500 : 450, false, messages, includer);
-  const bool learned =
-      hlsl && ((!parsed && learn(files, shader.getInfoLog())) || learnStarts(files, unit.entry));
+  const bool learned = hlsl && ((!parsed && addRemedies(files, shader.getInfoLog())) ||
+                                moveStaticInitializers(files, unit.entry));
   if (learned) return std::nullopt;
-  if (!parsed) files.fail(explained(shader.getInfoLog(), files, includer.failed(), unit));
+  if (!parsed) files.fail(rewordedErrors(shader.getInfoLog(), files, includer.failed(), unit));
   compiled.program = std::make_unique<glslang::TProgram>();
   compiled.program->addShader(&shader);
   const bool linked = compiled.program->link(messages);
   const std::string log = compiled.program->getInfoLog();
   if (!linked || log.find(noEntry) != std::string::npos)
-    files.fail(explained(log, files, includer.failed(), unit));
+    files.fail(rewordedErrors(log, files, includer.failed(), unit));
   return words(compiled, true);
 }
 
@@ -221,10 +221,11 @@ std::vector<std::uint32_t> compile(Files& files, const Unit& unit) {
   if (unit.language == Language::hlsl && takesOthers(made)) {
     made = compiledAs(files, unit, true);
     if (takesOthers(made))
-      files.fail({{0, unit.line, unit.entry,
-                   fmt::format("{} is no kernel: a kernel returns void, and each of its parameters has a "
-                               "semantic such as SV_DispatchThreadID",
-                               scene::inQuotes(unit.entry))}});
+      files.fail(
+          {{0, unit.line, unit.entry,
+            fmt::format("{} is not a kernel; a kernel must return void, and each of its parameters needs a "
+                        "semantic such as SV_DispatchThreadID",
+                        scene::inQuotes(unit.entry))}});
   }
   return made;
 }

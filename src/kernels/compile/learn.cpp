@@ -132,11 +132,11 @@ void learnOverloads(Files& files, const std::string& name) {
 /// Moves the declaration of a variable before the last loop that declares it.
 void learnLoopVariable(Files& files, const Mistake& mistake) {
   const std::string key = mistake.token + std::to_string(mistake.line);
-  if (files.remedies.outliving.contains(key)) return;
+  if (files.remedies.loopVariables.contains(key)) return;
   const Edits more = declaredBeforeLoop(Scan(files.text(mistake.file)), mistake.token, mistake.line);
   if (more.empty()) return;
   files.remedies.edits[mistake.file].add(more);
-  files.remedies.outliving.insert(key);
+  files.remedies.loopVariables.insert(key);
 }
 
 bool asksForLength(const Files& files, const Mistake& mistake) {
@@ -176,7 +176,7 @@ void takeStart(const std::deque<Scan>& all, const Scan& scan, const Declaration&
 
 }  // namespace
 
-bool learnStarts(Files& files, const std::string& entry) {
+bool moveStaticInitializers(Files& files, const std::string& entry) {
   Remedies& remedies = files.remedies;
   std::string& starts = remedies.starts;
   const bool done = starts.empty() || remedies.started.contains(entry);
@@ -199,9 +199,9 @@ bool learnStarts(Files& files, const std::string& entry) {
   return true;
 }
 
-bool learn(Files& files, std::string_view log) {
+bool addRemedies(Files& files, std::string_view log) {
   const std::size_t before = files.remedies.count();
-  for (const Mistake& mistake : told(log, files.count())) {
+  for (const Mistake& mistake : errorsInLog(log, files.count())) {
     const auto says = [&](std::string_view words) {
       return mistake.message.find(words) != std::string::npos;
     };

@@ -156,7 +156,7 @@ std::size_t fileNumber(std::string_view name, std::size_t count) {
   return read.ec == std::errc() && read.ptr == name.data() + name.size() && number < count ? number : 0;
 }
 
-std::vector<Mistake> told(std::string_view log, std::size_t files) {
+std::vector<Mistake> errorsInLog(std::string_view log, std::size_t files) {
   std::vector<Mistake> mistakes;
   std::istringstream lines{std::string(log)};
   for (std::string line; std::getline(lines, line);)
@@ -165,16 +165,16 @@ std::vector<Mistake> told(std::string_view log, std::size_t files) {
   return mistakes;
 }
 
-std::vector<Mistake> explained(std::string_view log, const Files& files,
-                               const std::vector<std::pair<std::string, std::string>>& failed,
-                               const Unit& unit) {
-  constexpr std::size_t most = 20;
+std::vector<Mistake> rewordedErrors(std::string_view log, const Files& files,
+                                    const std::vector<std::pair<std::string, std::string>>& failed,
+                                    const Unit& unit) {
+  constexpr std::size_t maximum = 20;
   if (log.find(noEntry) != std::string_view::npos)
     return {{0, unit.line, unit.entry,
              fmt::format("the file has no function {}", scene::inQuotes(unit.entry))}};
   std::vector<Mistake> mistakes;
   std::istringstream lines{std::string(log)};
-  for (std::string line; std::getline(lines, line) && mistakes.size() < most;) {
+  for (std::string line; std::getline(lines, line) && mistakes.size() < maximum;) {
     if (!line.starts_with(error)) continue;
     Mistake mistake = located(std::string_view(line).substr(error.size()), files.count());
     if (mistake.message.find("compilation errors") != std::string::npos ||

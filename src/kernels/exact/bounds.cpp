@@ -49,9 +49,9 @@ class Bounds {
         at_.follow(module_, report_->files(), one);
         excused_ = report_->excuse(one.result);
       }
-      if (one.op == SpvOpFunction) ours_ = (one.operands[0] & SpvFunctionControlDontInlineMask) != 0;
+      if (one.op == SpvOpFunction) inLibrary_ = (one.operands[0] & SpvFunctionControlDontInlineMask) != 0;
       if (one.op == SpvOpLabel) block_ = one.result;
-      if (ours_) {
+      if (inLibrary_) {
         module_.body.push_back(std::move(one));
       } else {
         place(one);
@@ -62,24 +62,24 @@ class Bounds {
 
  private:
   /// Already emitted comparison of an index with a length. `inside` is the id of its result.
-  struct Known {
+  struct EmittedComparison {
     Id block, inside, length;
   };
   struct Use {
     bool reads = false, writes = false;
   };
   /// An index of an access chain that is compared with a length. `at`: position of the index in the chain.
-  struct Checked {
+  struct CheckedIndex {
     std::size_t at;
     Id inside, index;
   };
   /// The checked indices of an access chain.
-  struct Walk {
-    Words held;                    ///< indices clamped to their bounds, except the index of a buffer's
-                                   ///< element
-    std::vector<Checked> checked;  ///< indices that may be out of bounds
-    Id inside;                     ///< id of a bool that is true if the clamped indices were in bounds; 0
-                                   ///< if no index is clamped
+  struct CheckedIndices {
+    Words held;                         ///< indices clamped to their bounds, except the index of a buffer's
+                                        ///< element
+    std::vector<CheckedIndex> checked;  ///< indices that may be out of bounds
+    Id inside;  ///< id of a bool that is true if the clamped indices were in bounds; 0
+                ///< if no index is clamped
     Id length, runtime,
         among;  ///< for a buffer: the ids of the buffer's length, of the element index, and of the bool
                 ///< "index < length"
@@ -92,7 +92,7 @@ class Bounds {
     module_.body.push_back({op, type, made, std::move(operands)});
     return made;
   }
-  Id least(Id a, Id b) { return emit(SpvOpExtInst, module_.uintType(), {set_, GLSLstd450UMin, a, b}); }
+  Id minimum(Id a, Id b) { return emit(SpvOpExtInst, module_.uintType(), {set_, GLSLstd450UMin, a, b}); }
   Id both(Id a, Id b) {
     return a == 0 ? b : b == 0 ? a : emit(SpvOpLogicalAnd, module_.boolType(), {a, b});
   }
@@ -185,26 +185,27 @@ class Bounds {
   /// from a block that dominates the current block. If there is none, emits the comparison in the current
   /// block.
   template <class Emit>
-  const Known& comparison(const Words& key, Emit emitted) {
-    std::vector<Known>& all = known_[key];
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const Known& one) { return facts_.dominates(one.block, block_); });
+  const EmittedComparison& comparison(const Words& key, Emit emitted) {
+    std::vector<EmittedComparison>& all = known_[key];
+    const auto found = std::find_if(all.begin(), all.end(), [&](const EmittedComparison& one) {
+      return facts_.dominates(one.block, block_);
+    });
     if (found != all.end()) return *found;
     all.push_back(emitted());
     return all.back();
   }
-  const Known& amongElements(const Chain& flat, std::size_t i, Id index) {
+  const EmittedComparison& amongElements(const Chain& flat, std::size_t i, Id index) {
     const std::uint32_t member = *module_.constant(flat.indices[i - 1]);
     return comparison({flat.base, member, flat.indices[i]}, [&] {
       const Id whole = emit(SpvOpArrayLength, module_.uintType(), {flat.base, member});
       const Id length = emit(SpvOpISub, module_.uintType(), {whole, module_.uintConstant(guardElements)});
-      return Known{block_, emit(SpvOpULessThan, module_.boolType(), {index, length}), length};
+      return EmittedComparison{block_, emit(SpvOpULessThan, module_.boolType(), {index, length}), length};
     });
   }
   Id belowCount(Id value, Id index, std::uint32_t count) {
     return comparison({value, count},
                       [&] {
-                        return Known{
+                        return EmittedComparison{
                             block_,
                             emit(SpvOpULessThan, module_.boolType(), {index, module_.uintConstant(count)}),
                             0};
@@ -213,8 +214,8 @@ class Bounds {
   }
 
   /// Emits comparisons with the lengths for those indices of a chain that may be out of bounds.
-  Walk walk(const Chain& flat) {
-    Walk found{flat.indices, {}, 0, 0, 0, 0, 0};
+  CheckedIndices walk(const Chain& flat) {
+    CheckedIndices found{flat.indices, {}, 0, 0, 0, 0, 0};
     Id type = typeMaking(module_.typeOf(flat.base)).operands[1];
     for (std::size_t i = 0; i < flat.indices.size(); ++i) {
       const Instruction made = typeMaking(type);
@@ -226,7 +227,7 @@ class Bounds {
       if (made.op == SpvOpTypeRuntimeArray) {
         found.runtime = asUint(flat.indices[i]);
         found.runtimeAt = i;
-        const Known& known = amongElements(flat, i, found.runtime);
+        const EmittedComparison& known = amongElements(flat, i, found.runtime);
         found.length = known.length;
         found.among = known.inside;
         found.checked.push_back({i, found.among, found.runtime});
@@ -234,7 +235,7 @@ class Bounds {
         const Id index = asUint(flat.indices[i]);
         const Id below = belowCount(flat.indices[i], index, count);
         found.inside = both(found.inside, below);
-        found.held[i] = least(index, module_.uintConstant(count - 1));
+        found.held[i] = minimum(index, module_.uintConstant(count - 1));
         found.checked.push_back({i, below, index});
       }
       type = made.operands[0];
@@ -254,10 +255,10 @@ class Bounds {
   bool guard(const Instruction& one, const Chain& flat) {
     if (module_.name(flat.base).starts_with("simreel_"))
       return false;  // Another guard has inserted this variable.
-    Walk found = walk(flat);
+    CheckedIndices found = walk(flat);
     if (found.checked.empty()) return false;
     const Use use = uses_[one.result];
-    for (const Checked& index : found.checked) note(index, flat, use);
+    for (const CheckedIndex& index : found.checked) note(index, flat, use);
     const Id inside = found.inside, number = module_.uintType();
     Guarded made{inside, inside, 0, false};
     if (found.runtime != 0) {
@@ -269,7 +270,7 @@ class Bounds {
         writes[found.runtimeAt] = select(all, number, found.runtime, last);
         made.write = append(one, module_.fresh(), flat.base, writes);
       }
-      found.held[found.runtimeAt] = inside == 0 ? least(found.runtime, found.length)
+      found.held[found.runtimeAt] = inside == 0 ? minimum(found.runtime, found.length)
                                                 : select(all, number, found.runtime, found.length);
     } else if (use.writes && shared_.contains(flat.base) &&
                mayExceed(flat.indices[0], shared_[flat.base])) {
@@ -285,7 +286,7 @@ class Bounds {
   }
 
   /// Emits the report of an out-of-bounds index if the access is in the user's code.
-  void note(const Checked& index, const Chain& flat, const Use& use) {
+  void note(const CheckedIndex& index, const Chain& flat, const Use& use) {
     if (report_ == nullptr || at_.line == 0) return;
     const std::string name = indexedName(module_, flat.base, std::span(flat.indices).first(index.at + 1));
     note(index.inside, use.writes ? "write" : "read", name, index.index);
@@ -352,7 +353,7 @@ class Bounds {
     const Id index = asUint(one.operands[at]), vector = one.operands[0];
     const Id inside = emit(SpvOpULessThan, module_.boolType(), {index, module_.uintConstant(count)});
     note(inside, insert ? "write" : "read", "a vector", index);
-    one.operands[at] = least(index, module_.uintConstant(count - 1));
+    one.operands[at] = minimum(index, module_.uintConstant(count - 1));
     const Id made = emit(one.op, one.type, one.operands);
     select(inside, one.type, made, insert ? vector : zero(one.type), one.result);
   }
@@ -362,13 +363,14 @@ class Bounds {
   Report* report_;
   Facts facts_;
   Position at_;
-  Id block_ = 0;       ///< label of the current block
-  bool ours_ = false;  ///< true in a library function, whose indices are always in bounds
+  Id block_ = 0;            ///< label of the current block
+  bool inLibrary_ = false;  ///< true in a library function, whose indices are always in bounds
 
-  std::map<Words, std::vector<Known>> known_;  ///< emitted comparisons by the ids of their operands
-  std::unordered_set<Id> noted_;               ///< ids of conditions that reports have tested
-  bool excused_ = false;                       ///< true for a value that is used only under a condition
-                                               ///< (excuses.hpp)
+  std::map<Words, std::vector<EmittedComparison>>
+      known_;                     ///< emitted comparisons by the ids of their operands
+  std::unordered_set<Id> noted_;  ///< ids of conditions that reports have tested
+  bool excused_ = false;          ///< true for a value that is used only under a condition
+                                  ///< (excuses.hpp)
   std::unordered_map<Id, Use> uses_;
   std::unordered_map<Id, Chain> chains_;
   std::unordered_map<Id, Guarded> guarded_;

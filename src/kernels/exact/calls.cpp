@@ -173,7 +173,7 @@ class Placing {
     if (one.op == SpvOpExtInst && one.operands[0] == set_ && splitColumns(one)) return;
     if (one.op == SpvOpShiftLeftLogical || one.op == SpvOpShiftRightLogical ||
         one.op == SpvOpShiftRightArithmetic)
-      holdShift(one);
+      maskShift(one);
     const char* function = nullptr;
     Words arguments = one.operands;
     if (one.op == SpvOpExtInst && one.operands[0] == set_) {
@@ -323,7 +323,7 @@ class Placing {
   }
 
   /// Masks shift counts modulo 32, as in Direct3D.
-  void holdShift(Instruction& one) {
+  void maskShift(Instruction& one) {
     const auto small = [&](Id id) {
       const auto value = module_.constant(id);
       return value && *value < 32;

@@ -19,16 +19,16 @@ namespace simreel::kernels {
 
 namespace {
 
-constexpr std::uint64_t mostPrivate = 1 << 20, mostShared = 32768;
-constexpr std::uint32_t mostThreads = 1024;
-constexpr std::array<std::uint32_t, 3> mostAlong = {1024, 1024, 64};
+constexpr std::uint64_t maxPrivate = 1 << 20, maxShared = 32768;
+constexpr std::uint32_t maxThreads = 1024;
+constexpr std::array<std::uint32_t, 3> maxAlong = {1024, 1024, 64};
 
 std::uint64_t bytesOf(const Module& module, Id type) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 40;
+  constexpr std::uint64_t maximum = std::uint64_t{1} << 40;
   const Instruction& made = *module.global(type);
   const auto times = [&](Id one, std::uint64_t count) {
     const std::uint64_t bytes = std::max<std::uint64_t>(1, bytesOf(module, one));
-    return count > most / bytes ? most : bytes * count;
+    return count > maximum / bytes ? maximum : bytes * count;
   };
   switch (made.op) {
     case SpvOpTypeFloat:
@@ -42,7 +42,7 @@ std::uint64_t bytesOf(const Module& module, Id type) {
     case SpvOpTypeStruct: {
       std::uint64_t sum = 0;
       for (const Id member : made.operands) sum += bytesOf(module, member);
-      return std::min(sum, most);
+      return std::min(sum, maximum);
     }
     default:
       return 4;
@@ -109,12 +109,12 @@ std::vector<Mistake> beyondThreads(const Instruction& mode, Mistake place) {
   bool fits = true;
   for (std::size_t i = 0; i < 3; ++i) {
     all *= std::min<std::uint32_t>(threads[i], 1U << 20U);
-    fits = fits && threads[i] >= 1 && threads[i] <= mostAlong[i];
+    fits = fits && threads[i] >= 1 && threads[i] <= maxAlong[i];
   }
-  if (fits && all <= mostThreads) return {};
+  if (fits && all <= maxThreads) return {};
   return {said(std::move(place),
                fmt::format("a group has 1 to {} threads, at most {} along x and y, and {} along z",
-                           mostThreads, mostAlong[0], mostAlong[2]))};
+                           maxThreads, maxAlong[0], maxAlong[2]))};
 }
 
 /// Returns the words before `end`, back to the last ";", "{" or "}", without preprocessor lines. If an
@@ -234,11 +234,11 @@ std::vector<Mistake> beyondLimits(const Module& module, const Files& files, cons
           (one.operands[0] != SpvStorageClassFunction && one.operands[0] != SpvStorageClassPrivate))
         continue;
       const std::uint64_t bytes = bytesOf(module, module.global(one.type)->operands[1]);
-      if (bytes <= mostPrivate) continue;
+      if (bytes <= maxPrivate) continue;
       const std::string name = module.name(one.result);
       mistakes.push_back(said(at(files, name, {}, line),
                               fmt::format("{} takes more than {} bytes in each invocation; use a buffer",
-                                          scene::inQuotes(name), mostPrivate)));
+                                          scene::inQuotes(name), maxPrivate)));
     }
   return mistakes;
 }
@@ -254,9 +254,9 @@ std::vector<Mistake> beyondShared(const Module& module, const Files& files, int 
     largest = own;
     name = module.name(one.result);
   }
-  if (bytes <= mostShared) return {};
+  if (bytes <= maxShared) return {};
   return {said(at(files, name, {"groupshared", "shared"}, line),
-               fmt::format("the groups share {} bytes; OpenGL grants {}", bytes, mostShared))};
+               fmt::format("the groups share {} bytes; OpenGL grants {}", bytes, maxShared))};
 }
 
 }  // namespace simreel::kernels

@@ -13,7 +13,7 @@ class Enlarging {
   explicit Enlarging(Module& module) : module_(module) {}
 
   std::unordered_map<Id, std::uint32_t> run() {
-    constexpr std::uint32_t most = 32768;
+    constexpr std::uint32_t maximum = 32768;
     std::uint32_t bytes = 0;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < module_.globals.size(); ++i) {
@@ -28,7 +28,7 @@ class Enlarging {
       const Instruction array = typeMaking(typeMaking(variable.type).operands[1]);
       const auto length = module_.constant(array.operands[1]);
       const std::uint32_t element = sizeOf(array.operands[0]);
-      if (!length || bytes + element > most || usedWhole(variable.result)) continue;
+      if (!length || bytes + element > maximum || usedWhole(variable.result)) continue;
       bytes += element;
       const Id longer =
           module_.addGlobal(SpvOpTypeArray, 0, {array.operands[0], module_.uintConstant(*length + 1)});

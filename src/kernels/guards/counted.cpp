@@ -16,7 +16,7 @@ struct Range {
 
 class LoopCounting {
  public:
-  LoopCounting(const Module& module, std::uint32_t most) : module_(module), most_(most) {}
+  LoopCounting(const Module& module, std::uint32_t maximum) : module_(module), most_(maximum) {}
 
   std::unordered_map<Id, CountedLoop> run() {
     split();
@@ -39,7 +39,7 @@ class LoopCounting {
       } else if (!blocks_.empty()) {
         blocks_.back().end = i + 1;
       }
-      if (one.result != 0) made_[one.result] = i;
+      if (one.result != 0) definitions_[one.result] = i;
       if (one.op == SpvOpStore) {
         stores_[one.operands[0]].push_back(i);
         escapes_[one.operands[1]] = true;
@@ -53,8 +53,8 @@ class LoopCounting {
   const Instruction& last(std::size_t block) const { return at(blocks_[block].end - 1); }
 
   const Instruction* definition(Id id) const {
-    const auto found = made_.find(id);
-    return found == made_.end() ? nullptr : &at(found->second);
+    const auto found = definitions_.find(id);
+    return found == definitions_.end() ? nullptr : &at(found->second);
   }
 
   std::optional<CountedLoop> counted(std::size_t header) const {
@@ -171,8 +171,8 @@ class LoopCounting {
   const Module& module_;
   std::uint32_t most_;
   std::vector<Range> blocks_;
-  std::unordered_map<Id, std::size_t> index_;  ///< indices of blocks by label
-  std::unordered_map<Id, std::size_t> made_;   ///< indices of instructions by result id
+  std::unordered_map<Id, std::size_t> index_;        ///< indices of blocks by label
+  std::unordered_map<Id, std::size_t> definitions_;  ///< indices of instructions by result id
   std::unordered_map<Id, std::vector<std::size_t>> stores_;
   std::unordered_map<Id, bool> escapes_;  ///< variables that are used in other ways than by loads and
                                           ///< stores
@@ -180,8 +180,8 @@ class LoopCounting {
 
 }  // namespace
 
-std::unordered_map<Id, CountedLoop> countedLoops(const Module& module, std::uint32_t most) {
-  return LoopCounting(module, most).run();
+std::unordered_map<Id, CountedLoop> countedLoops(const Module& module, std::uint32_t maximum) {
+  return LoopCounting(module, maximum).run();
 }
 
 }  // namespace simreel::kernels

@@ -14,8 +14,8 @@ struct CountedLoop {
 };
 
 /// Returns the counted loops of a module (in the form that glslang writes), by the labels of their headers.
-/// A counted loop counts from a constant to a constant in constant steps, in at most `most` iterations.
+/// A counted loop counts from a constant to a constant in constant steps, in at most `maximum` iterations.
 /// Nothing else changes its counter. No `break` leaves it, but a `return` may.
-[[nodiscard]] std::unordered_map<Id, CountedLoop> countedLoops(const Module& module, std::uint32_t most);
+[[nodiscard]] std::unordered_map<Id, CountedLoop> countedLoops(const Module& module, std::uint32_t maximum);
 
 }  // namespace simreel::kernels

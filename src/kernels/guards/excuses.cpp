@@ -14,7 +14,7 @@ class Search {
     for (std::size_t i = 0; i < module.body.size(); ++i) {
       const Instruction& one = module.body[i];
       if (one.op == SpvOpFunction) begin_ = i;
-      if (one.result != 0) made_[one.result] = i;
+      if (one.result != 0) definitions_[one.result] = i;
       for (std::size_t k = 0; k < one.operands.size(); ++k)
         if (isId(one, k)) uses_[one.operands[k]].push_back(i);
       begins_.push_back(begin_);
@@ -39,8 +39,8 @@ class Search {
   void excuse(std::size_t last, Id condition, std::size_t side, bool needed) {
     const Instruction& one = module_.body[last];
     if (module_.signature(module_.typeOf(condition)) != "b1" || one.operands[side] == condition) return;
-    const auto known = made_.find(condition);
-    const std::size_t first = std::max(known == made_.end() ? 0 : known->second, begins_[last]);
+    const auto known = definitions_.find(condition);
+    const std::size_t first = std::max(known == definitions_.end() ? 0 : known->second, begins_[last]);
     std::unordered_set<std::size_t> tree;
     for (std::size_t i = last; i-- > first + 1;) {
       const Instruction& value = module_.body[i];
@@ -66,7 +66,7 @@ class Search {
   std::size_t begin_ = 0;
   std::vector<std::size_t> begins_;  ///< for each instruction: index of the first instruction of its
                                      ///< function
-  std::unordered_map<Id, std::size_t> made_;
+  std::unordered_map<Id, std::size_t> definitions_;
   std::unordered_map<Id, std::vector<std::size_t>> uses_;
   Excuses excuses_;
 };

@@ -17,17 +17,17 @@ bool isUnrolled(const Instruction& merge) {
 
 class Limiting {
  public:
-  Limiting(Module& module, std::uint32_t most, bool unrolled, Report* report)
-      : module_(module), most_(most), unrolled_(unrolled), report_(report) {}
+  Limiting(Module& module, std::uint32_t maximum, bool unrolled, Report* report)
+      : module_(module), most_(maximum), unrolled_(unrolled), report_(report) {}
 
   void run() {
     findLoops();
     if (loops_.empty() && (counted_.empty() || report_ == nullptr)) return;
     const Id number = module_.uintType();
-    left_ = module_.addGlobal(SpvOpVariable,
-                              module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassPrivate, number}),
-                              {SpvStorageClassPrivate, module_.uintConstant(most_)});
-    giveName(module_, left_, "simreel_left");
+    limit_ = module_.addGlobal(SpvOpVariable,
+                               module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassPrivate, number}),
+                               {SpvStorageClassPrivate, module_.uintConstant(most_)});
+    giveName(module_, limit_, "simreel_left");
     std::vector<Instruction> body = std::move(module_.body);
     module_.body.clear();
     for (std::size_t i = 0; i < body.size(); ++i) {
@@ -63,7 +63,7 @@ class Limiting {
         continue;
       }
       loops_[header] = {module_.fresh(), static_cast<std::uint32_t>(loops_.size()), {}};
-      behind_[one.operands[0]] = header;
+      loopsByMerge_[one.operands[0]] = header;
     }
   }
 
@@ -77,9 +77,9 @@ class Limiting {
       case SpvOpLabel:
         label_ = one.result;
         if (!declared_) return declare(body, i);
-        begun_.push_back(label_);
+        labelsSoFar_.push_back(label_);
         module_.body.push_back(std::move(one));
-        return counted_.contains(label_) ? compareCount() : compare();
+        return counted_.contains(label_) ? checkCountedEnded() : compare();
       case SpvOpBranch:
         enter(one.operands[0]);
         leave(one.operands[0]);
@@ -87,7 +87,8 @@ class Limiting {
       case SpvOpBranchConditional:
         enter(one.operands[1]);
         enter(one.operands[2]);
-        if (report_ != nullptr && (behind_.contains(one.operands[1]) || behind_.contains(one.operands[2])))
+        if (report_ != nullptr &&
+            (loopsByMerge_.contains(one.operands[1]) || loopsByMerge_.contains(one.operands[2])))
           return branch(std::move(one));
         break;
       case SpvOpSwitch:
@@ -109,7 +110,7 @@ class Limiting {
   /// Declares the iteration counters of a function's loops at the function's start.
   void declare(std::vector<Instruction>& body, std::size_t i) {
     declared_ = true;
-    begun_ = {label_};
+    labelsSoFar_ = {label_};
     module_.body.push_back(std::move(body[i]));
     const Id pointer = module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassFunction, module_.uintType()});
     for (std::size_t k = i + 1; k < body.size() && body[k].op != SpvOpFunctionEnd; ++k) {
@@ -125,7 +126,9 @@ class Limiting {
   /// header is not an entry. It comes after the header.
   void enter(Id target) {
     const auto loop = loops_.find(target);
-    if (loop == loops_.end() || std::find(begun_.begin(), begun_.end(), target) != begun_.end()) return;
+    if (loop == loops_.end() ||
+        std::find(labelsSoFar_.begin(), labelsSoFar_.end(), target) != labelsSoFar_.end())
+      return;
     module_.body.push_back({SpvOpStore, 0, 0, {loop->second.counter, module_.uintConstant(0)}});
     note(loop->second, module_.uintConstant(0));
   }
@@ -135,13 +138,13 @@ class Limiting {
   /// itself ends the loop, none of the branches that set the word run.
   Id word(Writing& writing, const Loop& loop) {
     const Id number = module_.uintType();
-    if (ended_ == 0) {
+    if (endedFlags_ == 0) {
       const Id array = module_.addGlobal(
           SpvOpTypeArray, 0, {number, module_.uintConstant(static_cast<std::uint32_t>(loops_.size()) + 1)});
-      ended_ = module_.addGlobal(SpvOpVariable,
-                                 module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassPrivate, array}),
-                                 {SpvStorageClassPrivate});
-      giveName(module_, ended_, "simreel_ended");
+      endedFlags_ = module_.addGlobal(
+          SpvOpVariable, module_.globalOf(SpvOpTypePointer, 0, {SpvStorageClassPrivate, array}),
+          {SpvStorageClassPrivate});
+      giveName(module_, endedFlags_, "simreel_ended");
     }
     const Id groups =
         writing.load(module_.vectorType(number, 3), builtIn(module_, SpvBuiltInNumWorkgroups));
@@ -151,7 +154,7 @@ class Limiting {
     const Id at =
         writing.emit(SpvOpSelect, number,
                      {some, module_.uintConstant(loop.number), module_.uintConstant(loop.number + 1)});
-    return writing.chain(SpvStorageClassPrivate, number, ended_, {at});
+    return writing.chain(SpvStorageClassPrivate, number, endedFlags_, {at});
   }
 
   void note(const Loop& loop, Id value) {
@@ -162,7 +165,7 @@ class Limiting {
 
   /// Records before a branch to a loop's merge block that the loop has ended.
   void leave(Id target) {
-    if (const auto header = behind_.find(target); header != behind_.end())
+    if (const auto header = loopsByMerge_.find(target); header != loopsByMerge_.end())
       note(loops_[header->second], module_.uintConstant(1));
   }
 
@@ -170,13 +173,13 @@ class Limiting {
   /// is the loop header, the record is written before the branch instead.
   void branch(Instruction one) {
     Writing writing(module_, module_.body);
-    const std::size_t out = behind_.contains(one.operands[1]) ? 1 : 2;
+    const std::size_t out = loopsByMerge_.contains(one.operands[1]) ? 1 : 2;
     const Id target = one.operands[out], other = one.operands[3 - out];
     if (loops_.contains(other)) {
       const Id yes = module_.uintConstant(1), no = module_.uintConstant(0);
       const Id ends = writing.emit(SpvOpSelect, module_.uintType(),
                                    {one.operands[0], out == 1 ? yes : no, out == 1 ? no : yes});
-      note(loops_[behind_[target]], ends);
+      note(loops_[loopsByMerge_[target]], ends);
       module_.body.push_back(std::move(one));
       return;
     }
@@ -193,8 +196,8 @@ class Limiting {
 
   /// Reports a fault, in the merge block of a loop, if the driver ended the loop.
   void compare() {
-    const auto header = behind_.find(label_);
-    if (report_ == nullptr || header == behind_.end()) return;
+    const auto header = loopsByMerge_.find(label_);
+    if (report_ == nullptr || header == loopsByMerge_.end()) return;
     const Loop& loop = loops_[header->second];
     Writing writing(module_, module_.body);
     const Id ended = writing.load(module_.uintType(), word(writing, loop));
@@ -204,7 +207,7 @@ class Limiting {
 
   /// Reports a fault, in the merge block of a counted loop, if the loop's condition still holds. In this
   /// case the driver ended the loop.
-  void compareCount() {
+  void checkCountedEnded() {
     if (report_ == nullptr) return;
     const Counted& loop = counted_[label_];
     Writing writing(module_, module_.body);
@@ -225,10 +228,10 @@ class Limiting {
     loop.at = at_;
     const Id number = module_.uintType();
     const Id done = writing.load(number, loop.counter);
-    const Id left = writing.load(number, left_);
+    const Id left = writing.load(number, limit_);
     const Id more = writing.emit(SpvOpULessThan, module_.boolType(), {done, left});
     writing.put(SpvOpStore,
-                {left_, writing.emit(SpvOpSelect, number, {more, left, module_.uintConstant(0)})});
+                {limit_, writing.emit(SpvOpSelect, number, {more, left, module_.uintConstant(0)})});
     writing.put(SpvOpStore,
                 {loop.counter, writing.emit(SpvOpIAdd, number, {done, module_.uintConstant(1)})});
     if (report_ != nullptr)
@@ -256,11 +259,11 @@ class Limiting {
   Report* report_;
   Position at_;
   std::unordered_map<Id, Loop> loops_;
-  std::unordered_map<Id, Id> behind_;        ///< headers of loops by the labels of the merge blocks
+  std::unordered_map<Id, Id> loopsByMerge_;  ///< headers of loops by the labels of the merge blocks
   std::unordered_map<Id, Counted> counted_;  ///< counted loops by the labels of the merge blocks
-  std::vector<Id> begun_;                    ///< labels of the blocks of the current function so far
-  Id ended_ = 0;                             ///< private array of words that record which loops have ended
-  Id left_ = 0;      ///< variable with the current iteration limit; 0 after a loop has reached the limit
+  std::vector<Id> labelsSoFar_;              ///< labels of the blocks of the current function so far
+  Id endedFlags_ = 0;                        ///< private array of words that record which loops have ended
+  Id limit_ = 0;     ///< variable with the current iteration limit; 0 after a loop has reached the limit
   Id function_ = 0;  ///< return type of the current function
   Id label_ = 0;
   bool declared_ = false;
@@ -268,8 +271,8 @@ class Limiting {
 
 }  // namespace
 
-void limitLoops(Module& module, std::uint32_t most, bool unrolled, Report* report) {
-  Limiting(module, most, unrolled, report).run();
+void limitLoops(Module& module, std::uint32_t maximum, bool unrolled, Report* report) {
+  Limiting(module, maximum, unrolled, report).run();
 }
 
 bool keepsUnrolled(const Module& module) {

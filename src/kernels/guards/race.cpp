@@ -280,9 +280,9 @@ class Races {
     orElse(writing_.emit(SpvOpIEqual, flag, {other, module_.uintConstant(0)}));
     orElse(writing_.emit(SpvOpIEqual, flag, {other, self}));
     if (task == Task::store) {
-      const Id least = writing_.load(number, shadowWord(variable, given[1], 1));
-      const Id most = writing_.load(number, shadowWord(variable, given[1], 2));
-      orElse(writing_.emit(SpvOpIEqual, flag, {writing_.emit(SpvOpNot, number, {least}), most}));
+      const Id minimum = writing_.load(number, shadowWord(variable, given[1], 1));
+      const Id maximum = writing_.load(number, shadowWord(variable, given[1], 2));
+      orElse(writing_.emit(SpvOpIEqual, flag, {writing_.emit(SpvOpNot, number, {minimum}), maximum}));
     }
     const Id writer = writing_.emit(SpvOpISub, number, {other, one});
     report_->noteAt(module_, module_.body, fine, given[2], writer, given[3]);

@@ -76,12 +76,12 @@ bool Report::excuse(Id made) {
   return excuse_ != nullptr;
 }
 
-void Report::note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id least,
+void Report::note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id minimum,
                   Id greatest) {
-  noteAt(module, body, fine, module.uintConstant(place), least, greatest);
+  noteAt(module, body, fine, module.uintConstant(place), minimum, greatest);
 }
 
-void Report::noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id least,
+void Report::noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id minimum,
                     Id greatest) {
   Writing writing(module, body);
   if (excuse_ != nullptr)
@@ -90,7 +90,7 @@ void Report::noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id 
           needed ? writing.emit(SpvOpLogicalNot, module.boolType(), {condition}) : condition;
       fine = writing.emit(SpvOpLogicalOr, module.boolType(), {fine, unneeded});
     }
-  const Id a = writing.asInt(least), b = least == greatest ? a : writing.asInt(greatest);
+  const Id a = writing.asInt(minimum), b = minimum == greatest ? a : writing.asInt(greatest);
   writing.emit(SpvOpFunctionCall, module.globalOf(SpvOpTypeVoid, 0, {}),
                {function(module), fine, place, a, b});
 }
@@ -173,7 +173,7 @@ Id linearInvocation(Module& module, std::vector<Instruction>& body, Id local) {
 /// Emits the function that adds this invocation's fault to the report block. If the highest bit of a
 /// place's first word is set, only the invocation in word 1 of the place is recorded. The runtime uses this
 /// to get the indices of that invocation.
-void Report::writeTell(Module& module, Id function, const Words& kept) {
+void Report::writeAddFault(Module& module, Id function, const Words& kept) {
   const Id block = blockVariable(module), number = module.uintType(), flag = module.boolType();
   Writing writing(module, module.body);
   writing.function(function, {});
@@ -234,7 +234,7 @@ void Report::complete(Module& module) {
   }
   const Id tell = module.fresh();
   writeNote(module, note, kept);
-  writeTell(module, tell, kept);
+  writeAddFault(module, tell, kept);
   enter(module, tell);
   module.index();
 }

@@ -31,12 +31,12 @@ class Report {
   /// Makes note() ignore faults in the value `made` while the module does not use that value. Returns false
   /// for a value that is always used.
   bool excuse(Id made);
-  /// Appends a call to `body` that records a fault unless `fine` is true. `least` and `greatest` are the
+  /// Appends a call to `body` that records a fault unless `fine` is true. `minimum` and `greatest` are the
   /// values for words 2 and 3 of the place (see Place), signed or unsigned.
-  void note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id least,
+  void note(Module& module, std::vector<Instruction>& body, Id fine, std::uint32_t place, Id minimum,
             Id greatest);
   /// Does the same as note() for a place whose index is a run-time value.
-  void noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id least, Id greatest);
+  void noteAt(Module& module, std::vector<Instruction>& body, Id fine, Id place, Id minimum, Id greatest);
   /// Makes a module with calls of note() safe for SPIRV-Tools. Must be called before more calls are added
   /// to the optimized module.
   void hold(Module& module);
@@ -50,7 +50,7 @@ class Report {
  private:
   Id function(Module& module);
   void writeNote(Module& module, Id function, const Words& kept);
-  void writeTell(Module& module, Id function, const Words& kept);
+  void writeAddFault(Module& module, Id function, const Words& kept);
   void enter(Module& module, Id tell) const;
 
   const Files& files_;

@@ -17,7 +17,7 @@ namespace {
 /// Constants for tags. A tag combines the number of barriers so far with the index of an invocation in the
 /// workgroup. Each word of shared memory has three tags. One is for the highest invocation that changed the
 /// word, and two are for the highest and lowest invocation that read it.
-constexpr std::uint32_t tagsOfWord = 3, tagBits = 11, mostInvocations = 1024;
+constexpr std::uint32_t tagsOfWord = 3, tagBits = 11, invocationLimit = 1024;
 
 class Shared {
  public:
@@ -26,7 +26,7 @@ class Shared {
 
   void run() {
     const std::uint32_t count = threads_[0] * threads_[1] * threads_[2];
-    if (count == 1 || count > mostInvocations) return;
+    if (count == 1 || count > invocationLimit) return;
     findStored();
     if (tags_.empty()) return;
     const Id number = module_.uintType();
@@ -63,7 +63,7 @@ class Shared {
 
   /// Allocates tags for each variable that is stored to, while shared memory is left.
   void findStored() {
-    constexpr std::uint32_t most = 32768 / 4;
+    constexpr std::uint32_t maximum = 32768 / 4;
     std::uint32_t words = 0;
     WordsIn sizes(module_, true);
     const std::vector<Instruction> globals = module_.globals;
@@ -80,7 +80,7 @@ class Shared {
     }
     for (const Instruction& one : globals) {
       const std::uint32_t length = isShared(one) ? tagsOfWord * sizes.size(pointee(one)) : 0;
-      if (length == 0 || !stored[one.result] || words + length > most) continue;
+      if (length == 0 || !stored[one.result] || words + length > maximum) continue;
       words += length;
       const Id array =
           module_.addGlobal(SpvOpTypeArray, 0, {module_.uintType(), module_.uintConstant(length)});
@@ -139,22 +139,22 @@ class Shared {
     now_ = writing_.load(module_.uintType(), epoch_);
     const Id begun = binary(SpvOpShiftLeftLogical, now_, number(tagBits));
     high_ = binary(SpvOpBitwiseOr, begun, binary(SpvOpIAdd, local_, number(1)));
-    low_ = binary(SpvOpBitwiseOr, begun, binary(SpvOpISub, number(mostInvocations), local_));
+    low_ = binary(SpvOpBitwiseOr, begun, binary(SpvOpISub, number(invocationLimit), local_));
   }
 
   /// Emits the index of the invocation in a tag, and a bool. The bool is true if this is another invocation
   /// that accessed the word since the last barrier. `low`: true if the tag is for the lowest invocation.
   std::pair<Id, Id> other(Id tag, bool low) {
     const Id kept = binary(SpvOpBitwiseAnd, tag, number((1U << tagBits) - 1));
-    const Id who =
-        low ? binary(SpvOpISub, number(mostInvocations), kept) : binary(SpvOpISub, kept, number(1));
+    const Id invocation =
+        low ? binary(SpvOpISub, number(invocationLimit), kept) : binary(SpvOpISub, kept, number(1));
     const Id since = compare(SpvOpIEqual, binary(SpvOpShiftRightLogical, tag, number(tagBits)), now_);
-    return {who, compare(SpvOpLogicalAnd, since, compare(SpvOpINotEqual, who, local_))};
+    return {invocation, compare(SpvOpLogicalAnd, since, compare(SpvOpINotEqual, invocation, local_))};
   }
 
-  void note(Id foreign, Id place, Id who, Id element) {
+  void note(Id foreign, Id place, Id invocation, Id element) {
     const Id fine = writing_.emit(SpvOpLogicalNot, module_.boolType(), {foreign});
-    report_.noteAt(module_, module_.body, fine, place, linearInvocation(module_, module_.body, who),
+    report_.noteAt(module_, module_.body, fine, place, linearInvocation(module_, module_.body, invocation),
                    element);
   }
 
@@ -165,8 +165,8 @@ class Shared {
     begin();
     raise(variable, given[0], 1, high_);
     raise(variable, given[0], 2, low_);
-    const auto [who, foreign] = other(raise(variable, given[0], 0, number(0)), false);
-    note(foreign, given[1], who, given[2]);
+    const auto [invocation, foreign] = other(raise(variable, given[0], 0, number(0)), false);
+    note(foreign, given[1], invocation, given[2]);
     writing_.end();
   }
 
@@ -179,8 +179,8 @@ class Shared {
     raise(variable, given[0], 0, high_);
     const auto [highest, above] = other(raise(variable, given[0], 1, number(0)), false);
     const auto [lowest, below] = other(raise(variable, given[0], 2, number(0)), true);
-    const Id who = writing_.select(below, module_.uintType(), lowest, highest);
-    note(compare(SpvOpLogicalOr, above, below), given[1], who, given[2]);
+    const Id invocation = writing_.select(below, module_.uintType(), lowest, highest);
+    note(compare(SpvOpLogicalOr, above, below), given[1], invocation, given[2]);
     writing_.close(merge);
     writing_.end();
   }

@@ -41,7 +41,7 @@ std::size_t closing(const std::vector<Token>& all, std::size_t i) {
 }
 
 /// Moves groupshared variables out of constant buffers. A constant buffer that becomes empty is removed.
-void takeOutShared(std::string_view code, const std::vector<Token>& all, Edits& edits) {
+void moveSharedOut(std::string_view code, const std::vector<Token>& all, Edits& edits) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].text != "cbuffer" || all[i].directive) continue;
     const std::size_t close = closing(all, i);
@@ -110,7 +110,7 @@ std::string dialect(const std::string& text) {
   const std::vector<Token> all = tokens(code);
   Edits edits;
   shortenUnsigned(all, edits);
-  takeOutShared(code, all, edits);
+  moveSharedOut(code, all, edits);
   takeOutInterfaces(all, edits);
   restructure(all, edits);
   return edits.applied(text);

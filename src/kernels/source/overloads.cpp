@@ -11,8 +11,8 @@ namespace simreel::kernels {
 
 namespace {
 
-constexpr std::size_t mostShortened = 5;  // max number of shortened parameters of one function; n shortened
-                                          // parameters make 2^n - 1 overloads
+constexpr std::size_t maxShortened = 5;  // max number of shortened parameters of one function; n shortened
+                                         // parameters make 2^n - 1 overloads
 
 /// A parameter of a function.
 struct Parameter {
@@ -86,7 +86,7 @@ std::string overloads(const Scan& scan, std::size_t name, std::size_t open) {
     if (!one->longer.empty()) shortened.push_back(parameters.size());
     parameters.push_back(std::move(*one));
   }
-  if (shortened.empty() || shortened.size() > mostShortened) return {};
+  if (shortened.empty() || shortened.size() > maxShortened) return {};
   std::string text;
   for (unsigned which = 1; which < 1U << shortened.size(); ++which) {
     std::string heads, arguments;

@@ -32,9 +32,9 @@ struct Remedies {
   /// Functions of removed namespaces that get the namespace's name as a prefix, because functions elsewhere
   /// have the same name.
   std::set<std::string, std::less<>> prefixed;
-  /// `shortened` holds functions that get overloads which truncate arguments. `outliving` holds loop
+  /// `shortened` holds functions that get overloads which truncate arguments. `loopVariables` holds loop
   /// variables that are used after their loop.
-  std::set<std::string, std::less<>> shortened, outliving;
+  std::set<std::string, std::less<>> shortened, loopVariables;
   /// Objects "ConstantBuffer<T> x" that become blocks with one member, so that they convert to their
   /// struct.
   std::set<std::string, std::less<>> unpacked;
@@ -51,7 +51,7 @@ struct Remedies {
 
   [[nodiscard]] std::size_t count() const {
     return assigned.size() + measured.size() + redefined.size() + functions.size() + dissolved.size() +
-           prefixed.size() + shortened.size() + outliving.size() + nested.size() + started.size() +
+           prefixed.size() + shortened.size() + loopVariables.size() + nested.size() + started.size() +
            unpacked.size();
   }
 };

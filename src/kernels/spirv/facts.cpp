@@ -68,7 +68,7 @@ void Facts::read() {
     const Instruction& one = body_[i];
     if (one.op == SpvOpLabel) label = one.result;
     if (one.result != 0) {
-      made_[one.result] = i;
+      definitions_[one.result] = i;
       in_[one.result] = label;
     }
     if (one.op == SpvOpStore) {
@@ -126,8 +126,8 @@ bool Facts::dominates(Id a, Id b) const {
 }
 
 const Instruction* Facts::made(Id value) const {
-  const auto found = made_.find(value);
-  return found == made_.end() ? nullptr : &body_[found->second];
+  const auto found = definitions_.find(value);
+  return found == definitions_.end() ? nullptr : &body_[found->second];
 }
 
 /// Returns the original value if `value` only changes the signedness of another value.

@@ -43,7 +43,7 @@ class Facts {
 
   const Module& module_;
   std::vector<Instruction> body_;
-  std::unordered_map<Id, std::size_t> made_;
+  std::unordered_map<Id, std::size_t> definitions_;
   std::unordered_map<Id, Id> in_;  ///< label of the block that contains each instruction, by result id
   std::unordered_map<Id, Node> blocks_;
   std::unordered_map<Id, Id> stored_;  ///< value of each variable with a single store; 0 for several stores

@@ -167,13 +167,13 @@ Words Module::words() const {
 }
 
 void Module::index() {
-  made_.clear();
+  definitions_.clear();
   types_.clear();
   known_.clear();
   for (std::size_t i = 0; i < globals.size(); ++i) {
     const Instruction& one = globals[i];
     if (one.result == 0) continue;
-    made_[one.result] = i;
+    definitions_[one.result] = i;
     if (one.type != 0) types_[one.result] = one.type;
     if (isShared(one.op)) known_.try_emplace(key(one.op, one.type, one.operands), one.result);
   }
@@ -187,14 +187,14 @@ Id Module::typeOf(Id value) const {
 }
 
 const Instruction* Module::global(Id id) const {
-  const auto found = made_.find(id);
-  return found == made_.end() ? nullptr : &globals[found->second];
+  const auto found = definitions_.find(id);
+  return found == definitions_.end() ? nullptr : &globals[found->second];
 }
 
 Id Module::addGlobal(SpvOp op, Id type, const Words& operands) {
   const Id made = fresh();
   globals.push_back({op, type, made, operands});
-  made_[made] = globals.size() - 1;
+  definitions_[made] = globals.size() - 1;
   if (type != 0) types_[made] = type;
   if (isShared(op)) known_.try_emplace(key(op, type, operands), made);
   return made;

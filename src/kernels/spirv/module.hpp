@@ -86,7 +86,7 @@ class Module {
  private:
   Id bound_ = 1;
   std::uint32_t version_ = 0, generator_ = 0;
-  std::unordered_map<Id, std::size_t> made_;  ///< index in `globals` by id
+  std::unordered_map<Id, std::size_t> definitions_;  ///< index in `globals` by id
   std::unordered_map<Id, Id> types_;
   std::map<std::pair<std::uint32_t, Words>, Id> known_;  ///< ids of types and constants by opcode and
                                                          ///< operands

@@ -204,9 +204,9 @@ namespace {
 
 /// The ids in the module's code for the indices of the running invocation and of its workgroup. They are
 /// pointers to such an index, and values loaded from it.
-class Numbers {
+class InvocationIndices {
  public:
-  explicit Numbers(const Module& module) {
+  explicit InvocationIndices(const Module& module) {
     for (const Instruction& one : module.globals) {
       const auto what = module.decoration(one.result, SpvDecorationBuiltIn);
       if (one.op == SpvOpVariable && what &&
@@ -250,10 +250,10 @@ class Numbers {
 
 }  // namespace
 
-unsigned numberedAxes(const Module& module) {
+unsigned axesRead(const Module& module) {
   constexpr unsigned all = 7;
   unsigned axes = 0;
-  const Numbers numbers(module);
+  const InvocationIndices numbers(module);
   const auto axis = [&](std::optional<std::uint32_t> number) {
     axes |= number && *number < 3 ? 1U << *number : all;
   };

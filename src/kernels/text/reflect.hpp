@@ -11,7 +11,7 @@ namespace simreel::kernels {
 
 /// Returns the axes along which a module reads the index of its invocation or workgroup, as in
 /// Kernel::axes. Must be called before report code is added.
-[[nodiscard]] unsigned numberedAxes(const Module& module);
+[[nodiscard]] unsigned axesRead(const Module& module);
 
 /// Sets the type of `texture` from an image's type: "2D", "3DArray" and so on, and the component type
 /// "float", "int" or "uint".

@@ -274,18 +274,18 @@ class Parser {
              fmt::format("the ( of \"{}\" is not closed before {}", function.name, found()));
     }
     const auto count = static_cast<int>(arguments.size());
-    if (count < function.least || count > function.most)
+    if (count < function.minimum || count > function.maximum)
       fail(begin, nameEnd,
-           fmt::format("\"{}\" takes {}{} argument{}, found {}", function.name, function.least,
-                       function.most > function.least ? fmt::format(" to {}", function.most) : "",
-                       function.most == 1 ? "" : "s", count));
+           fmt::format("\"{}\" takes {}{} argument{}, found {}", function.name, function.minimum,
+                       function.maximum > function.minimum ? fmt::format(" to {}", function.maximum) : "",
+                       function.maximum == 1 ? "" : "s", count));
     if (function.operation == Operation::noise || function.operation == Operation::random)
       checkSalt(function, arguments[0]);
     ExpressionNode node;
     node.operation = function.operation;
     node.begin = begin;
     node.end = end + 1;
-    if (function.most <= 3) {
+    if (function.maximum <= 3) {
       std::copy(arguments.begin(), arguments.end(), node.arguments);
       return add(std::move(node));
     }

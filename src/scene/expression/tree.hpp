@@ -58,7 +58,7 @@ enum class Operation : std::uint8_t {
 struct ExpressionFunction {
   const char* name;
   Operation operation;
-  int least, most;  ///< minimum and maximum number of arguments
+  int minimum, maximum;  ///< minimum and maximum number of arguments
   const char* doc;
 };
 [[nodiscard]] std::span<const ExpressionFunction> expressionFunctions();

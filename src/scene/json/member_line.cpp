@@ -9,8 +9,8 @@
 namespace simreel::scene {
 
 std::optional<int> memberLine(std::string_view text, std::span<const std::string> path) {
-  Diagnostics unheard("", text);
-  const std::optional<Node> root = parseJson(text, 0, 0, unheard);
+  Diagnostics ignored("", text);
+  const std::optional<Node> root = parseJson(text, 0, 0, ignored);
   const Node* node = root ? &*root : nullptr;
   for (const std::string& step : path) {
     if (node == nullptr) break;

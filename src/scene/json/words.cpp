@@ -53,7 +53,7 @@ std::string printable(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = codePointLength(text, at);
     const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
-    out += length == 0 || steersTerminal(character) ? "?" : character;
+    out += length == 0 || isTerminalControl(character) ? "?" : character;
     at += character.size();
   }
   return out;
@@ -87,7 +87,7 @@ std::string suggestion(std::string_view unknown, std::span<const std::string> na
   return fmt::format("known here: {}", fmt::join(names, ", "));
 }
 
-std::string apart(std::string_view camelCase, char between) {
+std::string splitCamelCase(std::string_view camelCase, char between) {
   std::string words;
   for (const char c : camelCase) {
     const bool capital = c >= 'A' && c <= 'Z';

@@ -23,6 +23,6 @@ inline constexpr const char* plainNameText = "must be 1 to 64 letters, digits, '
 
 /// Splits a camel-case name into lower-case words joined by `between`: "maxDiffRatio" with '-' becomes
 /// "max-diff-ratio".
-[[nodiscard]] std::string apart(std::string_view camelCase, char between);
+[[nodiscard]] std::string splitCamelCase(std::string_view camelCase, char between);
 
 }  // namespace simreel::scene

@@ -20,17 +20,17 @@ bool isInside(const fs::path& file, const fs::path& root) {
 }
 
 /// Maps each file to the asset folders of the scenes that name it.
-struct Around {
+struct SceneFolders {
   std::mutex mutex;
   std::map<fs::path, std::set<fs::path>> folders;
 };
-Around& around() {
-  static Around all;
+SceneFolders& sceneFolders() {
+  static SceneFolders all;
   return all;
 }
 
 void noteFolders(const fs::path& file, const std::vector<fs::path>& folders) {
-  Around& all = around();
+  SceneFolders& all = sceneFolders();
   const std::scoped_lock lock(all.mutex);
   all.folders[file].insert(folders.begin(), folders.end());
 }
@@ -38,7 +38,7 @@ void noteFolders(const fs::path& file, const std::vector<fs::path>& folders) {
 }  // namespace
 
 std::set<fs::path> foldersAround(const fs::path& file) {
-  Around& all = around();
+  SceneFolders& all = sceneFolders();
   const std::scoped_lock lock(all.mutex);
   const auto found = all.folders.find(file);
   return found == all.folders.end() ? std::set<fs::path>() : found->second;

@@ -235,8 +235,8 @@ class Fields {
   }
   /// Declares a value that is nullopt unless the scene gives it. The help shows `shown` as its default.
   template <class Value, class Declare>
-  void onlyGiven(const char* name, std::optional<Value>& value, const Value& shown,
-                 const Declare& declare) {
+  void optionalValue(const char* name, std::optional<Value>& value, const Value& shown,
+                     const Declare& declare) {
     Value read = value.value_or(shown);
     declare(read);
     value = given(name) ? std::optional(std::move(read)) : std::nullopt;
@@ -315,7 +315,7 @@ struct Parameters {
   [[nodiscard]] virtual std::optional<Box> framedAlone() const { return std::nullopt; }
   /// Returns the default height in metres of the ground below the object. nullopt means the lowest point of
   /// framed(). Infinity means that only other objects determine the height.
-  [[nodiscard]] virtual std::optional<float> footing() const { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<float> supportHeight() const { return std::nullopt; }
   /// Type of stage that suits the object if it has no material (stage.hpp). Shining objects need dark
   /// surroundings. A landscape needs no stage.
   enum class Looks { solid, cloth, shining, landscape };

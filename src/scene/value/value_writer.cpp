@@ -144,9 +144,9 @@ Json standardItems(std::size_t items, const std::function<void(std::size_t)>& re
   describe(fresh, 0);
   Json list = Json::array();
   for (const Json& item : all.values()["items"]) {
-    Json& told = list.emplace_back(Json::object());
+    Json& differing = list.emplace_back(Json::object());
     for (const auto& [key, value] : item.items())
-      if (!fresh.values().contains(key) || fresh.values()[key] != value) told[key] = value;
+      if (!fresh.values().contains(key) || fresh.values()[key] != value) differing[key] = value;
   }
   return list;
 }

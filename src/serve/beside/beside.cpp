@@ -164,8 +164,8 @@ scene::Override Beside::withFrame(Stage& stage, int frame) const {
   if (!edit_) fail(ExitCode::usage, "a scene's tested frames are written only with simreel serve --edit");
   const std::filesystem::path beside = scene::sidecarOf(source_.file);
   if (pathExists(beside)) {
-    constexpr std::size_t mostBytes = std::size_t{16} << 20;
-    const auto test = json::parse(readFile(beside, "test settings", mostBytes), nullptr, false, true);
+    constexpr std::size_t byteLimit = std::size_t{16} << 20;
+    const auto test = json::parse(readFile(beside, "test settings", byteLimit), nullptr, false, true);
     if (test.is_discarded() || test.contains("test"))
       fail(ExitCode::usage, "the scene's test is in {}; add {} to its \"frames\" there", beside.string(),
            frame);

@@ -36,7 +36,7 @@ void Hub::answer(std::uint64_t viewer, std::string text) {
   const std::lock_guard lock(mutex_);
   const auto found = answers_.find(viewer);
   if (found == answers_.end()) return;
-  if (found->second.size() >= mostAnswers) found->second.pop_front();
+  if (found->second.size() >= maxAnswers) found->second.pop_front();
   found->second.push_back(std::move(text));
   wake();
 }
@@ -108,7 +108,7 @@ void Hub::makeEditor(std::uint64_t viewer) {
 
 bool Hub::ask(Request request) {
   const std::lock_guard lock(mutex_);
-  if (requests_.size() >= mostRequests) return false;
+  if (requests_.size() >= maxRequests) return false;
   requests_.push_back(std::move(request));
   asked_.notify_all();
   return true;

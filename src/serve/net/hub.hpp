@@ -71,7 +71,7 @@ class Hub {
   void stop();
 
  private:
-  static constexpr std::size_t mostRequests = 4096, mostAnswers = 16;
+  static constexpr std::size_t maxRequests = 4096, maxAnswers = 16;
 
   void wake() const;
   void tellViewers();

@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t pieceBytes = std::size_t{32} << 10;  ///< max number of bytes of one write to a socket
 /// Maximum number of connections whose headers are read at the same time.
 constexpr unsigned short headerRooms = 64;
-constexpr std::size_t mostStrangers = 32;
+constexpr std::size_t maxStrangers = 32;
 /// Maximum number of sent pictures that a viewer has not confirmed as shown.
 constexpr int picturesUnderWay = 2;
 
@@ -95,8 +95,8 @@ struct Server::State {
   int connections = 0;
   std::vector<unsigned char> scratch;
 
-  State(Options wanted, const Guard& who, Hub& news)
-      : options(std::move(wanted)), guard(who), hub(news), scratch(LWS_PRE + pieceBytes) {}
+  State(Options wanted, const Guard& checks, Hub& news)
+      : options(std::move(wanted)), guard(checks), hub(news), scratch(LWS_PRE + pieceBytes) {}
 
   void listen();
   int handle(lws* wsi, lws_callback_reasons reason, Slot* slot, void* in, std::size_t length);
@@ -155,7 +155,7 @@ void Server::State::listen() {
   info.gid = static_cast<decltype(info.gid)>(-1);
   info.uid = static_cast<decltype(info.uid)>(-1);
   info.options = LWS_SERVER_OPTION_DISABLE_IPV6 | LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND;
-  info.fd_limit_per_thread = mostConnections + 100;
+  info.fd_limit_per_thread = maxConnections + 100;
   info.timeout_secs = 10;
   info.keepalive_timeout = 5;
   info.retry_and_idle_policy = &liveness;
@@ -178,7 +178,7 @@ void Server::State::listen() {
 int Server::State::handle(lws* wsi, lws_callback_reasons reason, Slot* slot, void* in, std::size_t length) {
   switch (reason) {
     case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
-      return connections >= mostConnections ? 1 : 0;
+      return connections >= maxConnections ? 1 : 0;
     case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED:
       ++connections;
       welcome(wsi);
@@ -226,7 +226,7 @@ int Server::State::handle(lws* wsi, lws_callback_reasons reason, Slot* slot, voi
 /// there are too many, closes the oldest one, so that a viewer with the token never has to wait.
 void Server::State::welcome(lws* wsi) {
   strangers.push_back(wsi);
-  if (strangers.size() <= mostStrangers) return;
+  if (strangers.size() <= maxStrangers) return;
   // A timeout of libwebsockets would restart with each received byte.
   ::shutdown(lws_get_socket_fd(strangers.front()), SHUT_RDWR);
   strangers.pop_front();
@@ -301,14 +301,14 @@ bool Server::State::admits(lws* wsi) const {
   std::string_view name;
   return guard.allowsHost(hostName) && Guard::allowsOrigin(origin, hostName) &&
          guard.splitPath(path, name) && name == "live" &&
-         viewers.size() < static_cast<std::size_t>(mostViewers);
+         viewers.size() < static_cast<std::size_t>(maxViewers);
 }
 
 int Server::State::receive(lws* wsi, Connection& from, const char* in, std::size_t length) {
-  if (from.asked.size() + length > mostBytesAsked || lws_frame_is_binary(wsi) != 0) {
+  if (from.asked.size() + length > maxBytesAsked || lws_frame_is_binary(wsi) != 0) {
     lws_close_reason(wsi,
-                     from.asked.size() + length > mostBytesAsked ? LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE
-                                                                 : LWS_CLOSE_STATUS_UNACCEPTABLE_OPCODE,
+                     from.asked.size() + length > maxBytesAsked ? LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE
+                                                                : LWS_CLOSE_STATUS_UNACCEPTABLE_OPCODE,
                      nullptr, 0);
     return -1;
   }
@@ -321,9 +321,9 @@ int Server::State::receive(lws* wsi, Connection& from, const char* in, std::size
 /// all others to the thread that makes pictures.
 int Server::State::say(lws* wsi, Connection& from) {
   std::string text = std::exchange(from.asked, {});
-  constexpr std::string_view shows = "shown ";
-  if (std::string_view(text).starts_with(shows)) {
-    const std::uint64_t number = std::strtoull(text.c_str() + shows.size(), nullptr, 10);
+  constexpr std::string_view confirmation = "shown ";
+  if (std::string_view(text).starts_with(confirmation)) {
+    const std::uint64_t number = std::strtoull(text.c_str() + confirmation.size(), nullptr, 10);
     while (!from.underWay.empty() && from.underWay.front() <= number) from.underWay.pop_front();
     lws_callback_on_writable(wsi);
     return 0;

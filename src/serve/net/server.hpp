@@ -29,10 +29,10 @@ class Server {
     /// not throw.
     std::function<std::unique_ptr<Content>(std::string_view name)> find;
   };
-  static constexpr int mostConnections = 1000;
-  static constexpr int mostViewers = 64;
+  static constexpr int maxConnections = 1000;
+  static constexpr int maxViewers = 64;
   /// Max size in bytes of one message from a viewer.
-  static constexpr std::size_t mostBytesAsked = std::size_t{64} << 10;
+  static constexpr std::size_t maxBytesAsked = std::size_t{64} << 10;
 
   /// Starts to listen. Throws UserError(inputOutput) on failure.
   Server(Options options, const Guard& guard, Hub& hub);

@@ -22,13 +22,13 @@ namespace {
 
 constexpr double secondsBetweenLooks = 0.1;  ///< time (s) between checks of the files
 /// Min and max time (s) without a drag request before the full picture is drawn.
-constexpr double leastToRest = 0.25;
-constexpr double mostToRest = 2;
-constexpr double secondsToReread = 1;    ///< time (s) between attempts to read missing files
-constexpr double sliceSeconds = 0.04;    ///< max time (s) of simulation before requests are handled again
-constexpr double mostMilliseconds = 85;  ///< time limit of a picture during motion, in milliseconds
-constexpr double mostToMeasure = 6;      ///< time limit in milliseconds for measuring quantities while
-                                         ///< something moves
+constexpr double minRestSeconds = 0.25;
+constexpr double maxRestSeconds = 2;
+constexpr double secondsToReread = 1;   ///< time (s) between attempts to read missing files
+constexpr double sliceSeconds = 0.04;   ///< max time (s) of simulation before requests are handled again
+constexpr double maxMilliseconds = 85;  ///< time limit of a picture during motion, in milliseconds
+constexpr double maxToMeasure = 6;      ///< time limit in milliseconds for measuring quantities while
+                                        ///< something moves
 constexpr int jpegQuality = 87;
 
 }  // namespace
@@ -55,8 +55,8 @@ void Player::run() {
 
 void Player::turn() {
   for (const Request& request : hub_.waitForRequests(secondsToWait())) handle(request);
-  if (secondsSince(looked_) >= secondsBetweenLooks) {
-    looked_ = Clock::now();
+  if (secondsSince(filesCheckedAt_) >= secondsBetweenLooks) {
+    filesCheckedAt_ = Clock::now();
     if (files_.changed()) {
       showFiles();
     } else if (secondsSince(reread_) >= secondsToReread) {
@@ -64,7 +64,7 @@ void Player::turn() {
     }
   }
   lookAtRender();
-  if (beside_.hasAccepted()) lookBeside();
+  if (beside_.hasAccepted()) compareWithBaseline();
   if (stage_ == nullptr || failed_ || hub_.viewers() == 0) return;
   try {
     work();
@@ -73,7 +73,7 @@ void Player::turn() {
     failed_ = true;
     playing_ = false;
     report(error.what());
-    tellStatus();
+    sendStatus();
   }
 }
 
@@ -168,9 +168,9 @@ void Player::showOther(bool moving, bool carries) {
   if (stage_ == nullptr) return;
   stage_->allow(memoryOfEach());
   carries = other_.update(*stage_, numerics_, memoryOfEach(), moving, target_) || carries;
-  keepPace(carries);
+  adjustTarget(carries);
   failed_ = false;
-  shown_ = rest_ = false;
+  pictureUpToDate_ = fullPictureShown_ = false;
   target_ = std::clamp(target_, firstFrame(), lastFrame());
   watch();
   tellScene();
@@ -180,21 +180,21 @@ void Player::showOther(bool moving, bool carries) {
 /// simulate from the start. The current state therefore continues with the new values, and the frames
 /// advance to show their effect. After the drag, the target is the frame at which the drag began, and the
 /// state of this frame is simulated from the start.
-void Player::keepPace(bool carries) {
+void Player::adjustTarget(bool carries) {
   if (carries) {
-    if (!held_) held_ = target_;
+    if (!frameBeforeDrag_) frameBeforeDrag_ = target_;
     if (target_ < lastFrame()) ++target_;
   } else if (!isCarried()) {
-    if (held_) target_ = *held_;
-    held_.reset();
+    if (frameBeforeDrag_) target_ = *frameBeforeDrag_;
+    frameBeforeDrag_.reset();
   }
 }
 
-void Player::makeGood() {
-  stage_->makeGood();
-  if (other_.stage() != nullptr) other_.stage()->makeGood();
-  keepPace(false);
-  shown_ = rest_ = false;
+void Player::resimulate() {
+  stage_->resimulate();
+  if (other_.stage() != nullptr) other_.stage()->resimulate();
+  adjustTarget(false);
+  pictureUpToDate_ = fullPictureShown_ = false;
 }
 
 void Player::watch() {
@@ -220,7 +220,7 @@ int Player::lastFrame() const {
   return other_.stage() == nullptr ? last : std::min(last, other_.stage()->script().scene.frameCount() - 1);
 }
 
-bool Player::isThere() const {
+bool Player::isAtTarget() const {
   return stage_->frame() == target_ && (other_.stage() == nullptr || other_.stage()->frame() == target_);
 }
 
@@ -231,8 +231,8 @@ bool Player::isCarried() const {
 /// Moves both sides towards the target frame. Neither side is shown until both have reached the frame.
 /// Returns true if both have reached it.
 bool Player::approach() {
-  const bool there = stage_->approach(target_);
-  return (other_.stage() == nullptr || other_.stage()->approach(target_)) && there;
+  const bool reached = stage_->approach(target_);
+  return (other_.stage() == nullptr || other_.stage()->approach(target_)) && reached;
 }
 
 StageMilliseconds Player::took() const {
@@ -248,68 +248,69 @@ std::size_t Player::memoryOfEach() const {
 
 bool Player::isMoving() const {
   if (playing_) return true;
-  return toRest_ > 0 && (!shown_ || secondsSince(moved_) < toRest_);
+  return restSeconds_ > 0 && (!pictureUpToDate_ || secondsSince(moved_) < restSeconds_);
 }
 
 /// Records a drag request. On a slow connection or a busy machine, drag requests arrive at long intervals.
 /// The wait before the full picture is drawn grows with the interval, because a full picture during a drag
 /// would make the drag even slower.
-void Player::hearOfMoving() {
-  const double apart = secondsSince(moved_);
-  toRest_ =
-      toRest_ > 0 && apart < mostToRest ? std::clamp(2 * apart, leastToRest, mostToRest) : leastToRest;
+void Player::recordDrag() {
+  const double pause = secondsSince(moved_);
+  restSeconds_ = restSeconds_ > 0 && pause < maxRestSeconds
+                     ? std::clamp(2 * pause, minRestSeconds, maxRestSeconds)
+                     : minRestSeconds;
   moved_ = Clock::now();
 }
 
 void Player::letGo() {
-  toRest_ = 0;
+  restSeconds_ = 0;
 }
 
 double Player::secondsToWait() const {
   if (stage_ == nullptr || failed_ || hub_.viewers() == 0) return secondsBetweenLooks;
-  if (!isThere() || !shown_) return 0;
+  if (!isAtTarget() || !pictureUpToDate_) return 0;
   if (playing_) {
     const double left = -secondsSince(due_);
     return std::clamp(left, 0.0, secondsBetweenLooks);
   }
-  return isMoving() ? 0.02 : rest_ && !isCarried() ? secondsBetweenLooks : 0;
+  return isMoving() ? 0.02 : fullPictureShown_ && !isCarried() ? secondsBetweenLooks : 0;
 }
 
 void Player::work() {
   // States carried over from other values are replaced when nothing moves.
-  if (isCarried() && !isMoving()) makeGood();
+  if (isCarried() && !isMoving()) resimulate();
   const auto begun = Clock::now();
-  bool there = false;
-  while (!(there = approach()) && secondsSince(begun) < sliceSeconds)
+  bool reached = false;
+  while (!(reached = approach()) && secondsSince(begun) < sliceSeconds)
     if (frame::interruptSignal() != 0) return;
-  if (!there) {
-    if (secondsSince(told_) > 0.1) tellStatus();
+  if (!reached) {
+    if (secondsSince(statusSentAt_) > 0.1) sendStatus();
     return;
   }
-  if (playing_ && shown_) {
+  if (playing_ && pictureUpToDate_) {
     if (secondsSince(due_) < 0) return;
-    return goOn();
+    return nextFrame();
   }
-  if (!shown_) return drawPicture(isMoving());
-  if (!rest_ && !isMoving()) drawPicture(false);
+  if (!pictureUpToDate_) return drawPicture(isMoving());
+  if (!fullPictureShown_ && !isMoving()) drawPicture(false);
 }
 
 /// Advances to the next frame, if possible at the scene's frame rate.
-void Player::goOn() {
+void Player::nextFrame() {
   const auto pace = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(1.0 / stage_->script().scene.time.fps));
   due_ = std::max(due_ + pace, Clock::now() - pace);
   if (target_ >= lastFrame()) {
     if (!loop_) {
       playing_ = false;
-      rest_ = false;
-      return tellStatus();
+      fullPictureShown_ = false;
+      return sendStatus();
     }
     target_ = firstFrame();
   } else {
     ++target_;
   }
-  shown_ = rest_ = false;
+  pictureUpToDate_ = fullPictureShown_ = false;
 }
 
 namespace {
@@ -341,7 +342,7 @@ void Player::drawPicture(bool draft) {
   }
   encodeMs_ = 1000 * secondsSince(begun);
   if (draft) adaptDetail(took().draw + took().readBack + encodeMs_);
-  if (!draft || measureMs_ < mostToMeasure) {
+  if (!draft || measureMs_ < maxToMeasure) {
     const auto before = Clock::now();
     stage_->measure();
     if (other_.stage() != nullptr) other_.stage()->measure();
@@ -350,23 +351,24 @@ void Player::drawPicture(bool draft) {
   times_.push_back(Clock::now());
   while (times_.size() > 20) times_.pop_front();
   // The wait restarts, because the user sees the picture and can react only now.
-  if (draft && !playing_ && toRest_ > 0) moved_ = Clock::now();
-  shown_ = true;
-  rest_ = !draft;
+  if (draft && !playing_ && restSeconds_ > 0) moved_ = Clock::now();
+  pictureUpToDate_ = true;
+  fullPictureShown_ = !draft;
   Picture picture;
   picture.number = drawn.number;
   picture.message = describe(drawn) + "\n";
   for (const std::string& file : drawn.files) picture.message += file;
   hub_.publish(std::move(picture));
-  tellStatus();
-  if (!draft || secondsSince(told_) > 0.25) tellSeries();
-  lookBeside();
+  sendStatus();
+  if (!draft || secondsSince(statusSentAt_) > 0.25) sendSeries();
+  compareWithBaseline();
 }
 
 /// Compares the full picture with its baseline.
-void Player::lookBeside() {
+void Player::compareWithBaseline() {
   if (beside_.right() && other_.stage() == nullptr) beside_.choose(options_.source, false);
-  if (rest_ && stage_ != nullptr && isThere() && !compared().carried() && !compared().origin())
+  if (fullPictureShown_ && stage_ != nullptr && isAtTarget() && !compared().carried() &&
+      !compared().origin())
     beside_.look(compared());
 }
 
@@ -383,11 +385,11 @@ void Player::adaptDetail(double milliseconds) {
     fresh_ = level_;
     return;
   }
-  constexpr double newest = 0.4, hardlyMore = 1.25, sure = 0.8, leastForPicture = 20;
+  constexpr double newest = 0.4, hardlyMore = 1.25, sure = 0.8, minForPicture = 20;
   double& known = costs_[level_];
   known = known > 0 ? (1 - newest) * known + newest * milliseconds : milliseconds;
   const double simulated = playing_ || isCarried() ? took().simulate : 0;
-  const double budget = std::max(leastForPicture, mostMilliseconds - simulated);
+  const double budget = std::max(minForPicture, maxMilliseconds - simulated);
   const auto pixels = [&](std::size_t level) {
     const DetailLevel& detail = detailLevels[level];
     const int samples = detail.samples > 0 ? detail.samples : stage_->script().scene.render.samples;
@@ -396,12 +398,13 @@ void Player::adaptDetail(double milliseconds) {
   const auto cost = [&](std::size_t level) {
     return costs_[level] > 0 ? costs_[level] : costs_[level_] * pixels(level) / pixels(level_);
   };
-  double least = cost(0);
-  for (std::size_t level = 1; level < detailLevels.size(); ++level) least = std::min(least, cost(level));
-  const double most = std::max(budget, hardlyMore * least);
+  double minimum = cost(0);
+  for (std::size_t level = 1; level < detailLevels.size(); ++level)
+    minimum = std::min(minimum, cost(level));
+  const double maximum = std::max(budget, hardlyMore * minimum);
   std::size_t best = level_;
   for (std::size_t level = detailLevels.size(); level-- > 0;)
-    if (cost(level) <= (level < level_ ? sure : 1.0) * most) best = level;
+    if (cost(level) <= (level < level_ ? sure : 1.0) * maximum) best = level;
   // The level changes by one at a time, because the costs of untried levels are estimates.
   if (best > level_) ++level_;
   quick_ = best < level_ ? quick_ + 1 : 0;

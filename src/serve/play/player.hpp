@@ -85,8 +85,8 @@ class Player {
   /// Updates the right side after a change. `carries`: true if the left side continues with a state of a
   /// simulation with other values.
   void showOther(bool moving, bool carries);
-  void keepPace(bool carries);
-  void makeGood();
+  void adjustTarget(bool carries);
+  void resimulate();
   /// Writes a value into the scene file. `edit`: path of the edit that is then part of the file.
   void writeFile(const scene::Override& change, const std::string& edit);
   /// Does the same as writeFile() for the scene file of the right side.
@@ -95,17 +95,17 @@ class Player {
   void watch();
 
   void work();
-  void goOn();
+  void nextFrame();
   void drawPicture(bool draft);
-  void lookBeside();
+  void compareWithBaseline();
   [[nodiscard]] Stage& compared();
   void adaptDetail(double milliseconds);
-  void hearOfMoving();
+  void recordDrag();
   void letGo();
   [[nodiscard]] bool isMoving() const;
   [[nodiscard]] double secondsToWait() const;
   [[nodiscard]] int lastFrame() const;
-  [[nodiscard]] bool isThere() const;
+  [[nodiscard]] bool isAtTarget() const;
   [[nodiscard]] bool isCarried() const;
   bool approach();
   [[nodiscard]] StageMilliseconds took() const;
@@ -124,8 +124,8 @@ class Player {
   [[nodiscard]] std::string describe(const Drawn& drawn) const;
   void tellAbout();
   void tellScene();
-  void tellStatus();
-  void tellSeries();
+  void sendStatus();
+  void sendSeries();
   [[nodiscard]] std::vector<std::string> wordsOf(bool other) const;
 
   PlayerOptions options_;
@@ -146,15 +146,15 @@ class Player {
   bool playing_ = false;
   bool loop_ = true;
   int target_ = 0;
-  std::optional<int> held_;   ///< frame to which to return after a drag, during which states were carried
-                              ///< over from a simulation with other values
-  Clock::time_point due_;     ///< time at which the next frame must be shown
-  Clock::time_point moved_;   ///< time of the last drag request
-  double toRest_ = 0;         ///< time (s) without a drag request after which the full picture is drawn
-  Clock::time_point looked_;  ///< time of the last check of the files
-  Clock::time_point told_;    ///< time at which the series of the charts were last sent
-  bool rest_ = false;         ///< true if the shown picture is a full one and up to date
-  bool shown_ = false;        ///< true if the shown picture is up to date
+  std::optional<int> frameBeforeDrag_;  ///< frame to which to return after a drag, during which states were
+                                        ///< carried over from a simulation with other values
+  Clock::time_point due_;    ///< time at which the next frame must be shown
+  Clock::time_point moved_;  ///< time of the last drag request
+  double restSeconds_ = 0;   ///< time (s) without a drag request after which the full picture is drawn
+  Clock::time_point filesCheckedAt_;  ///< time of the last check of the files
+  Clock::time_point statusSentAt_;    ///< time at which the series of the charts were last sent
+  bool fullPictureShown_ = false;     ///< true if the shown picture is a full one and up to date
+  bool pictureUpToDate_ = false;      ///< true if the shown picture is up to date
   std::size_t level_ = 3;
   /// Latest detail level whose first picture was not measured, because that picture includes shader
   /// compilation.

@@ -92,11 +92,10 @@ namespace {
 /// Returns the series for the charts. Limits each to the number of values that a chart can show and always
 /// includes the latest value.
 json seriesJson(const std::vector<Series>& all) {
-  constexpr std::size_t mostPoints = 240;
+  constexpr std::size_t maxPoints = 240;
   json list = json::array();
   for (const Series& series : all) {
-    const std::size_t stride =
-        std::max<std::size_t>(1, (series.values.size() + mostPoints - 1) / mostPoints);
+    const std::size_t stride = std::max<std::size_t>(1, (series.values.size() + maxPoints - 1) / maxPoints);
     json frames = json::array(), values = json::array();
     std::size_t at = 0;
     for (const auto& [frame, value] : series.values) {
@@ -179,7 +178,7 @@ std::vector<std::string> Player::wordsOf(bool other) const {
   return words;
 }
 
-void Player::tellStatus() {
+void Player::sendStatus() {
   double rate = 0;
   if (times_.size() > 1 && secondsSince(times_.back()) < 1)
     rate = static_cast<double>(times_.size() - 1) /
@@ -200,8 +199,8 @@ void Player::tellStatus() {
   hub_.tell("status", dumped(message));
 }
 
-void Player::tellSeries() {
-  told_ = Clock::now();
+void Player::sendSeries() {
+  statusSentAt_ = Clock::now();
   if (stage_ == nullptr) return;
   json message = {{"kind", "series"}, {"series", seriesJson(stage_->series())}};
   if (other_.stage() != nullptr) message["beside"] = seriesJson(other_.stage()->series());

@@ -63,7 +63,7 @@ void Player::obey(const Json& json) {
     playing_ = stage_ != nullptr && lastFrame() > 0;
     due_ = Clock::now();
     if (target_ >= lastFrame() && !loop_) target_ = firstFrame();
-    rest_ = false;
+    fullPictureShown_ = false;
   } else if (what == "pause") {
     playing_ = false;
     if (stage_ != nullptr) target_ = std::max(firstFrame(), stage_->frame());
@@ -92,7 +92,7 @@ void Player::obey(const Json& json) {
   } else {
     request.at("do").wrong("is an unknown command");
   }
-  tellStatus();
+  sendStatus();
 }
 
 void Player::seek(const Json& json) {
@@ -105,13 +105,13 @@ void Player::seek(const Json& json) {
   playing_ = false;
   failed_ = false;
   if (isSet(request, "moving"))
-    hearOfMoving();
+    recordDrag();
   else
     letGo();
-  held_.reset();
+  frameBeforeDrag_.reset();
   if (frame == target_) return;
   target_ = frame;
-  shown_ = rest_ = false;
+  pictureUpToDate_ = fullPictureShown_ = false;
 }
 
 namespace {
@@ -193,7 +193,7 @@ void Player::moveCamera(const Json& json) {
   const bool moving = isSet(request, "moving");
   const Placed placed = placedBy(request);
   if (moving)
-    hearOfMoving();
+    recordDrag();
   else
     letGo();
   const auto changes = cameraChanges(*stage_, placed);
@@ -225,7 +225,7 @@ void Player::setValue(const Json& json) {
   const bool moving = isSet(request, "moving");
   const scene::Override change{request.at("path").text(), request.at("value").json().dump()};
   if (moving)
-    hearOfMoving();
+    recordDrag();
   else
     letGo();
   if (isSet(request, "beside")) {
@@ -297,7 +297,7 @@ void Player::compare(const Json& json) {
   if (right != beside_.right()) beside_.choose(right ? other_.options().source : options_.source, right);
   beside_.turn(on);
   watch();
-  lookBeside();
+  compareWithBaseline();
 }
 
 /// Adds the shown frame to the frames that `simreel test` compares.
@@ -354,11 +354,11 @@ void Player::pick(std::uint64_t viewer, const Json& json) {
   const JsonValue request(json);
   if (!request.at("asks").is("pixel")) request.at("asks").wrong("must be \"pixel\"");
   const glm::dvec2 place(request.at("x").number(), request.at("y").number());
-  if (stage_ == nullptr || !isThere()) return;
+  if (stage_ == nullptr || !isAtTarget()) return;
   const bool other = isSet(request, "beside") && other_.stage() != nullptr;
-  const PixelAnswer answer = (other ? *other_.stage() : *stage_).ask(place);
+  const PixelInfo answer = (other ? *other_.stage() : *stage_).ask(place);
   nlohmann::json rows = nlohmann::json::array();
-  for (const PixelAnswer::Row& row : answer.rows)
+  for (const PixelInfo::Row& row : answer.rows)
     rows.push_back(row.value ? nlohmann::json{row.name, *row.value, row.text}
                              : nlohmann::json{row.name, row.text, nullptr});
   hub_.answer(viewer, nlohmann::json{{"kind", "answer"},

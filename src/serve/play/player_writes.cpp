@@ -85,7 +85,7 @@ void Player::paint(const Json& json) {
   if (!from || !to || from->object != to->object)
     fail(ExitCode::usage,
          "there is no field to paint; only cells that are drawn over the picture can be painted");
-  hearOfMoving();
+  recordDrag();
   playing_ = false;
   const scene::Scene& shown = stage.script().scene;
   const auto object = std::find_if(shown.objects.begin(), shown.objects.end(),

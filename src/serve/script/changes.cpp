@@ -149,7 +149,7 @@ double objectsAlike(const ordered_json& before, const ordered_json& after) {
 
 }  // namespace
 
-std::string withoutWhatShows(std::string_view asRun) {
+std::string withoutAppearance(std::string_view asRun) {
   ordered_json scene = ordered_json::parse(asRun);
   if (const auto ground = scene.find("ground"); ground != scene.end() && ground->is_object())
     for (const char* member : {"visible", "color", "roughness", "fadeStart", "fadeEnd"})
@@ -167,10 +167,10 @@ std::string withoutWhatShows(std::string_view asRun) {
   return scene.dump();
 }
 
-double secondsAlike(std::string_view before, std::string_view after) {
+double equalUntil(std::string_view before, std::string_view after) {
   if (scene::simulationHash(before) == scene::simulationHash(after)) return always;
-  ordered_json a = ordered_json::parse(withoutWhatShows(before));
-  ordered_json b = ordered_json::parse(withoutWhatShows(after));
+  ordered_json a = ordered_json::parse(withoutAppearance(before));
+  ordered_json b = ordered_json::parse(withoutAppearance(after));
   const ordered_json none = ordered_json::object();
   const ordered_json objectsBefore = a.value("objects", none), objectsAfter = b.value("objects", none);
   if (!objectsBefore.is_object() || !objectsAfter.is_object()) return never;

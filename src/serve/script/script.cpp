@@ -104,7 +104,7 @@ bool namesFile(const ordered_json& value, const std::filesystem::path& file) {
 /// name them.
 bool simulatesFrom(const std::vector<std::filesystem::path>& files, std::string_view asRun) {
   if (files.empty()) return false;
-  ordered_json scene = ordered_json::parse(withoutWhatShows(asRun));
+  ordered_json scene = ordered_json::parse(withoutAppearance(asRun));
   for (const char* shown : {"camera", "sky", "lights", "render", "test"}) scene.erase(shown);
   if (const auto objects = scene.find("objects"); objects != scene.end() && objects->is_object())
     for (const auto& object : objects->items())
@@ -213,7 +213,7 @@ std::shared_ptr<Script> readScript(const SceneSource& source, const std::string&
   if (script->draft.render.quality == scene::Quality::high)
     script->draft.render.quality = scene::Quality::draft;
   script->asRun = scene::textAsRun(text, source.file, all);
-  script->simulation = scene::simulationHash(withoutWhatShows(script->asRun));
+  script->simulation = scene::simulationHash(withoutAppearance(script->asRun));
   for (const std::filesystem::path& file : sim::shaderFiles(script->scene)) {
     auto& files = script->scene.files;
     if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
@@ -296,7 +296,7 @@ bool drawsAlike(const Script& before, const Script& after) {
 int firstOther(const Simulated& before, const Script& after) {
   if (simulatesFrom(writtenFiles(before.files, after.files), after.asRun)) return 0;
   if (before.simulation == after.simulation) return farFrame;
-  const double seconds = secondsAlike(before.asRun, after.asRun);
+  const double seconds = equalUntil(before.asRun, after.asRun);
   // The state of a frame depends on what happens before its time, not on what happens exactly at its time.
   constexpr double rounding = 1e-9;
   const double frames = std::floor(seconds * after.scene.time.fps + rounding);

@@ -29,7 +29,7 @@ struct Script {
   scene::Scene scene;
   scene::Scene draft;      ///< the scene without lens, shutter and ray tracing, for drafts
   std::string asRun;       ///< result of scene::sceneAsRun
-  std::string simulation;  ///< scene::simulationHash of asRun after withoutWhatShows()
+  std::string simulation;  ///< scene::simulationHash of asRun after withoutAppearance()
   /// Files that the scene names, as they were when it was read.
   std::map<std::filesystem::path, FileStamp> files;
   bool fieldsAlone = false;  ///< true if only fields are drawn

@@ -21,12 +21,12 @@ namespace simreel::serve {
 
 namespace {
 
-PixelAnswer::Row rowOf(const std::string& name, float value) {
+PixelInfo::Row rowOf(const std::string& name, float value) {
   return {name, static_cast<double>(value), fmt::format("{:08x}", std::bit_cast<std::uint32_t>(value))};
 }
 
 /// Adds the four 32-bit words of an array's element to the answer.
-void addElement(PixelAnswer& answer, const sim::StateArray& array, std::size_t element) {
+void addElement(PixelInfo& answer, const sim::StateArray& array, std::size_t element) {
   constexpr const char* words = "xyzw";
   if (array.integers) {
     const auto all = array.readAll<glm::uvec4>();
@@ -44,39 +44,39 @@ void addElement(PixelAnswer& answer, const sim::StateArray& array, std::size_t e
 
 /// Adds the words of the element with index `element` from each of the object's arrays that has the same
 /// number of elements.
-void addState(PixelAnswer& answer, const sim::Simulation& object, std::size_t element, long elements) {
+void addState(PixelInfo& answer, const sim::Simulation& object, std::size_t element, long elements) {
   for (const sim::StateArray& array : object.state())
     if (array.elements() == elements) addElement(answer, array, element);
 }
 
 /// Adds the element whose position is nearest to a point of the scene (metres).
-void addNearest(PixelAnswer& answer, const sim::Simulation& object, const glm::vec3& point) {
+void addNearest(PixelInfo& answer, const sim::Simulation& object, const glm::vec3& point) {
   for (const sim::StateArray& array : object.state()) {
     if (array.integers || std::string_view(array.name).find("osition") == std::string_view::npos) continue;
     const auto positions = array.readAll<glm::vec4>();
     std::size_t nearest = 0;
-    float least = std::numeric_limits<float>::infinity();
+    float minimum = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const float distance = glm::distance(glm::vec3(positions[i]), point);
-      if (distance < least) {
-        least = distance;
+      if (distance < minimum) {
+        minimum = distance;
         nearest = i;
       }
     }
-    if (!std::isfinite(least)) return;
+    if (!std::isfinite(minimum)) return;
     answer.rows.push_back(
         {"nearest element", std::nullopt, object.elementName(static_cast<long>(nearest))});
-    answer.rows.push_back({"its distance, m", static_cast<double>(least), ""});
+    answer.rows.push_back({"its distance, m", static_cast<double>(minimum), ""});
     return addState(answer, object, nearest, array.elements());
   }
 }
 
 /// Adds the element that belongs to a cell, for objects whose elements have cell coordinates.
-void addCell(PixelAnswer& answer, const sim::Simulation& object, glm::ivec2 cell) {
-  constexpr long mostNames = 2'000'000;
+void addCell(PixelInfo& answer, const sim::Simulation& object, glm::ivec2 cell) {
+  constexpr long nameLimit = 2'000'000;
   const std::string wanted = fmt::format("({}, {})", cell.x, cell.y);
   for (const sim::StateArray& array : object.state()) {
-    for (long i = 0; i < std::min(array.elements(), mostNames); ++i) {
+    for (long i = 0; i < std::min(array.elements(), nameLimit); ++i) {
       if (object.elementName(i).find(wanted) == std::string::npos) continue;
       answer.rows.push_back({"element", std::nullopt, object.elementName(i)});
       return addElement(answer, array, static_cast<std::size_t>(i));
@@ -96,10 +96,10 @@ const sim::Simulation* objectNamed(const sim::World& world, std::string name) {
 
 /// Returns the cell of the topmost field of `layer` at the pixel, with its values. Returns nullopt if there
 /// is no field.
-std::optional<PixelAnswer> cellAt(const scene::Scene& scene, sim::World& world, glm::dvec2 pixel,
-                                  sim::FieldDisplay::Layer layer) {
+std::optional<PixelInfo> cellAt(const scene::Scene& scene, sim::World& world, glm::dvec2 pixel,
+                                sim::FieldDisplay::Layer layer) {
   const sim::Drawables drawables = world.drawables();
-  std::optional<PixelAnswer> answer;
+  std::optional<PixelInfo> answer;
   for (const sim::Field& field : drawables.fields) {
     if (field.decoration || field.display == nullptr || field.display->layer != layer) continue;
     const draw::FieldView view =
@@ -114,7 +114,7 @@ std::optional<PixelAnswer> cellAt(const scene::Scene& scene, sim::World& world, 
     const auto values = sim::fieldValues(field);
     const auto at = static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(field.size.x) +
                     static_cast<std::size_t>(cell.x);
-    answer = PixelAnswer{fmt::format("cell ({}, {}) of {}", cell.x, cell.y, *field.name), {}};
+    answer = PixelInfo{fmt::format("cell ({}, {}) of {}", cell.x, cell.y, *field.name), {}};
     answer->rows.push_back(rowOf("value", values.at(at)));
     if (const sim::Simulation* object = objectNamed(world, *field.name)) addCell(*answer, *object, cell);
   }
@@ -141,11 +141,11 @@ std::optional<FieldPoint> fieldAt(const scene::Scene& scene, const sim::World& w
   return found;
 }
 
-PixelAnswer askPixel(const scene::Scene& scene, sim::World& world, glm::dvec2 place) {
+PixelInfo pixelInfo(const scene::Scene& scene, sim::World& world, glm::dvec2 place) {
   const glm::ivec2 size = scene.render.size;
   const glm::ivec2 pixel =
       glm::clamp(glm::ivec2(glm::floor(place * glm::dvec2(size))), glm::ivec2(0), size - 1);
-  const PixelAnswer::Row where{"pixel", std::nullopt, fmt::format("{}, {}", pixel.x, pixel.y)};
+  const PixelInfo::Row where{"pixel", std::nullopt, fmt::format("{}, {}", pixel.x, pixel.y)};
   const glm::dvec2 middle = glm::dvec2(pixel) + 0.5;
   if (auto cell = cellAt(scene, world, middle, sim::FieldDisplay::Layer::over)) {
     cell->rows.insert(cell->rows.begin(), where);
@@ -163,7 +163,7 @@ PixelAnswer askPixel(const scene::Scene& scene, sim::World& world, glm::dvec2 pl
       cell->rows.insert(cell->rows.begin(), where);
       return *cell;
     }
-  PixelAnswer answer{thing.name(), {where}};
+  PixelInfo answer{thing.name(), {where}};
   const auto at = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) +
                   static_cast<std::size_t>(pixel.x);
   if (thing.primitive == "sky" || layers.position.size() < 3 * (at + 1)) return answer;

@@ -11,7 +11,7 @@
 namespace simreel::serve {
 
 /// Information about one pixel.
-struct PixelAnswer {
+struct PixelInfo {
   struct Row {
     std::string name;
     std::optional<double> value;
@@ -35,6 +35,6 @@ struct FieldPoint {
 /// Returns information about the pixel at `place` (fractions of the picture's size, from its top left). The
 /// information consists of the object, its primitive, the position, and the state of the nearest element.
 /// Draws the picture again with the exact rasterizer. Throws the errors of Renderer.
-[[nodiscard]] PixelAnswer askPixel(const scene::Scene& scene, sim::World& world, glm::dvec2 place);
+[[nodiscard]] PixelInfo pixelInfo(const scene::Scene& scene, sim::World& world, glm::dvec2 place);
 
 }  // namespace simreel::serve

@@ -13,14 +13,14 @@ void KeptStates::keep(frame::WorldState state) {
   thin();
 }
 
-void KeptStates::allow(std::size_t mostBytes) {
-  mostBytes_ = mostBytes;
+void KeptStates::allow(std::size_t byteLimit) {
+  byteLimit_ = byteLimit;
   thin();
 }
 
 void KeptStates::thin() {
   constexpr int farthest = 1 << 20;
-  while (bytes_ > mostBytes_ && states_.size() > 1 && interval_ < farthest) {
+  while (bytes_ > byteLimit_ && states_.size() > 1 && interval_ < farthest) {
     interval_ *= 2;
     // The state of frame 0 is never removed, because all later states can be computed from it.
     std::erase_if(states_, [&](const auto& kept) {

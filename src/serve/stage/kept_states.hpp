@@ -12,7 +12,7 @@ namespace simreel::serve {
 /// the interval when the states need more memory than allowed.
 class KeptStates {
  public:
-  explicit KeptStates(std::size_t mostBytes) : mostBytes_(mostBytes) {}
+  explicit KeptStates(std::size_t byteLimit) : byteLimit_(byteLimit) {}
 
   /// True if the state of this frame should be stored.
   [[nodiscard]] bool wants(int frame) const {
@@ -26,7 +26,7 @@ class KeptStates {
   void forgetFrom(int frame);
   void clear();
   /// Changes the memory limit for kept states.
-  void allow(std::size_t mostBytes);
+  void allow(std::size_t byteLimit);
 
   [[nodiscard]] std::vector<int> frames() const;
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -35,7 +35,7 @@ class KeptStates {
  private:
   void thin();
 
-  std::size_t mostBytes_;
+  std::size_t byteLimit_;
   std::size_t bytes_ = 0;
   int interval_ = 1;
   std::map<int, frame::WorldState> states_;

@@ -25,11 +25,11 @@ glm::ivec2 scaledSize(glm::ivec2 size, float scale) {
 
 Stage::Stage(std::shared_ptr<Script> script, std::size_t memory, Origin origin)
     : script_(std::move(script)),
-      made_(script_),
+      worldScript_(script_),
       origin_(std::move(origin)),
       memory_(memory),
       kept_(memory),
-      keptOf_(simulatedOf(*script_)) {
+      storedSimulation_(simulatedOf(*script_)) {
   makeWorld();
 }
 
@@ -66,16 +66,17 @@ void Stage::startAtOrigin() {
     world_ = std::make_unique<sim::World>(script_->scene);
     return begin();
   }
-  started_ = seen_ = true;
+  started_ = ready_ = true;
   summaries_->start();
 }
 
 /// Prepares the stage for a world that has not stepped yet.
 void Stage::begin() {
-  made_ = script_;
-  started_ = seen_ = carried_ = false;
+  worldScript_ = script_;
+  started_ = ready_ = carried_ = false;
   forgetBefore();
-  summaries_ = std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { hear(summary); });
+  summaries_ =
+      std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { keepSummary(summary); });
   if (series_.empty()) {
     for (const sim::World::CountNames& counted : world_->countNames())
       for (const std::string& column : counted.columns) series_.push_back({counted.object, column, "", {}});
@@ -94,18 +95,18 @@ void Stage::follow() {
   world_->onFrameBefore([this](const sim::Drawables& before) {
     for (Drawer* drawer : {&drawers_[0], &tester_}) {
       if (drawer->renderer == nullptr) continue;
-      drawer->renderer->keepBefore(before);
-      drawer->toldBefore = world_->frame() + 1;
+      drawer->renderer->setPreviousFrame(before);
+      drawer->previousFrameOf = world_->frame() + 1;
     }
   });
 }
 
 void Stage::forgetBefore() {
-  drawers_[0].toldBefore.reset();
-  tester_.toldBefore.reset();
+  drawers_[0].previousFrameOf.reset();
+  tester_.previousFrameOf.reset();
 }
 
-void Stage::hear(const sim::World::Summary& summary) {
+void Stage::keepSummary(const sim::World::Summary& summary) {
   stateHash_ = summary.stateHash;
   arrayHashes_ = summary.arrays;
   if (summary.frame < 0) return;
@@ -128,18 +129,18 @@ void Stage::step(bool seen) {
   if (seen)
     world_->advanceTo(next);
   else
-    world_->passTo(next);
+    world_->advanceUndrawn(next);
   ++stepped_;
   started_ = true;
-  seen_ = seen;
+  ready_ = seen;
   if (seen) summaries_->start();
 }
 
 /// Prepares the current frame for drawing and computes its hash.
 void Stage::lookAt() {
-  if (!seen_) {
+  if (!ready_) {
     world_->complete();
-    seen_ = true;
+    ready_ = true;
     summaries_->start();
   }
   summaries_->takeAll();
@@ -185,7 +186,7 @@ bool Stage::putBack(const frame::WorldState& state) {
     return false;
   }
   started_ = true;
-  seen_ = true;
+  ready_ = true;
   forgetBefore();
   summaries_->start();
   return true;
@@ -218,11 +219,11 @@ Stage::Drawer& Stage::drawerOf(std::size_t level) {
 /// With motion blur, computes the frame before the current one again if the renderer does not have it.
 void Stage::prepareMotion(Drawer& drawer) {
   const int frame = world_->frame();
-  if (!script_->scene.camera.shutter || drawer.toldBefore == frame) return;
+  if (!script_->scene.camera.shutter || drawer.previousFrameOf == frame) return;
   if (frame <= (origin_ ? origin_->frame : world_->firstFrame())) {
     lookAt();
-    drawer.renderer->keepBefore(world_->drawables());  // At the first frame, nothing moves.
-    drawer.toldBefore = frame;
+    drawer.renderer->setPreviousFrame(world_->drawables());  // At the first frame, nothing moves.
+    drawer.previousFrameOf = frame;
     return;
   }
   summaries_->takeAll();
@@ -289,8 +290,8 @@ golden::RunFrame Stage::drawTested() {
 void Stage::measure() {
   lookAt();
   std::size_t at = measured_;
-  for (std::size_t i = 0; i < world_->objectCount() && i < made_->scene.objects.size(); ++i) {
-    const scene::Object& object = made_->scene.objects[i];
+  for (std::size_t i = 0; i < world_->objectCount() && i < worldScript_->scene.objects.size(); ++i) {
+    const scene::Object& object = worldScript_->scene.objects[i];
     if (!object.parameters->measures()) continue;
     const std::vector<double> values = world_->object(i).measure();
     const std::size_t count = object.parameters->quantities().size();
@@ -300,9 +301,9 @@ void Stage::measure() {
   }
 }
 
-PixelAnswer Stage::ask(glm::dvec2 place) {
+PixelInfo Stage::ask(glm::dvec2 place) {
   lookAt();
-  return askPixel(script_->draft, *world_, place);
+  return pixelInfo(script_->draft, *world_, place);
 }
 
 }  // namespace simreel::serve

@@ -87,8 +87,8 @@ class Stage {
   [[nodiscard]] golden::RunFrame drawTested();
   /// Records the quantities that the objects measure at the current frame. Waits for the device.
   void measure();
-  /// Returns information about a position in the current picture (askPixel).
-  [[nodiscard]] PixelAnswer ask(glm::dvec2 place);
+  /// Returns information about a position in the current picture (pixelInfo).
+  [[nodiscard]] PixelInfo ask(glm::dvec2 place);
 
   /// Shows another script and rebuilds only the parts that need it (changeBetween). If the simulations
   /// differ only after some time, earlier states remain and approach() continues from them. `moving`: true
@@ -97,7 +97,7 @@ class Stage {
   bool become(std::shared_ptr<Script> script, bool moving);
   /// Discards a state that was carried over from a simulation with other values. approach() then simulates
   /// again.
-  void makeGood();
+  void resimulate();
   /// Sets the max bytes of stored states.
   void allow(std::size_t memory);
   /// Copies the nearest state at or before `frame` from a stage whose states are equal up to some time, so
@@ -109,9 +109,9 @@ class Stage {
     std::unique_ptr<draw::Renderer> renderer;
     std::unique_ptr<draw::Readback> readback;
     glm::ivec2 size{0};
-    std::shared_ptr<Script> script;  ///< script that the renderer reads
-    std::optional<int> toldBefore;   ///< frame for which the renderer has stored the preceding frame, for
-                                     ///< motion blur
+    std::shared_ptr<Script> script;      ///< script that the renderer reads
+    std::optional<int> previousFrameOf;  ///< frame for which the renderer has stored the preceding frame,
+                                         ///< for motion blur
   };
 
   /// States of an earlier simulation. They are used again if a change is undone.
@@ -127,7 +127,7 @@ class Stage {
   [[nodiscard]] bool retuneTo(const std::shared_ptr<Script>& script);
   [[nodiscard]] bool carryOverTo(std::shared_ptr<Script> script);
   void simulateAs(std::shared_ptr<Script> script);
-  void keepWhatIsAlike(const std::shared_ptr<Script>& script);
+  void keepEqualStates(const std::shared_ptr<Script>& script);
   [[nodiscard]] bool isNear(const Script& script) const;
   [[nodiscard]] const frame::WorldState* keptBefore(int frame) const;
   bool putBack(const frame::WorldState& state);
@@ -136,7 +136,7 @@ class Stage {
   void startAtOrigin();
   void adopt(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script);
   void step(bool seen);
-  void hear(const sim::World::Summary& summary);
+  void keepSummary(const sim::World::Summary& summary);
   void lookAt();
   void follow();
   Drawer& drawerOf(std::size_t level);
@@ -144,11 +144,11 @@ class Stage {
   void forgetBefore();
 
   std::shared_ptr<Script> script_;
-  std::shared_ptr<Script> made_;  ///< script that the world was built from
+  std::shared_ptr<Script> worldScript_;  ///< script that the world was built from
   Origin origin_;
   std::size_t memory_;  ///< memory limit of kept_ and past_ together, in bytes
   KeptStates kept_;
-  Simulated keptOf_;  ///< simulation that computed the states in kept_
+  Simulated storedSimulation_;  ///< simulation that computed the states in kept_
   std::optional<Past> past_;
   std::unique_ptr<sim::World> world_;
   std::unique_ptr<frame::Summaries> summaries_;
@@ -158,7 +158,7 @@ class Stage {
   long stepped_ = 0;
   bool started_ = false;
   bool carried_ = false;
-  bool seen_ = false;  ///< true if the current frame is ready to be drawn
+  bool ready_ = false;  ///< true if the current frame is ready to be drawn
   std::string stateHash_;
   std::vector<std::string> arrayHashes_;  ///< hash of each state array
   StageMilliseconds took_;

@@ -36,11 +36,11 @@ bool Stage::become(std::shared_ptr<Script> script, bool moving) {
 /// are computed again.
 bool Stage::isNear(const Script& script) const {
   constexpr int fewFrames = 2;
-  const frame::WorldState* from = keptBefore(firstOther(keptOf_, script) - 1);
+  const frame::WorldState* from = keptBefore(firstOther(storedSimulation_, script) - 1);
   return from != nullptr && world_->frame() - from->frame <= fewFrames;
 }
 
-void Stage::makeGood() {
+void Stage::resimulate() {
   if (carried_) simulateAs(script_);
 }
 
@@ -52,14 +52,14 @@ void Stage::allow(std::size_t memory) {
 
 void Stage::startLike(const Stage& other, int frame) {
   if (started_ || other.carried_) return;
-  const int last = std::min(frame, firstOther(other.keptOf_, *script_) - 1);
+  const int last = std::min(frame, firstOther(other.storedSimulation_, *script_) - 1);
   const frame::WorldState* nearest = other.kept_.before(last);
   if (nearest != nullptr) kept_.keep(*nearest);
 }
 
 void Stage::takeLookOf(Script& from) {
   // Renderers and world may have been built from different scripts.
-  std::set<Script*> all = {script_.get(), made_.get()};
+  std::set<Script*> all = {script_.get(), worldScript_.get()};
   for (const Drawer& drawer : drawers_)
     if (drawer.script) all.insert(drawer.script.get());
   for (Script* one : all) takeLook(*one, from);
@@ -87,14 +87,15 @@ void Stage::dressAs(std::shared_ptr<Script> script) {
 /// have not changed.
 void Stage::adopt(std::unique_ptr<sim::World> world, std::shared_ptr<Script> script) {
   script_ = std::move(script);
-  made_ = script_;
+  worldScript_ = script_;
   summaries_ = nullptr;
   world_ = std::move(world);
-  summaries_ = std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { hear(summary); });
+  summaries_ =
+      std::make_unique<frame::Summaries>(*world_, [this](const auto& summary) { keepSummary(summary); });
   setTestScene(nullptr);
   forgetBefore();
   started_ = true;
-  seen_ = true;
+  ready_ = true;
   follow();
   summaries_->start();
 }
@@ -142,7 +143,7 @@ void Stage::simulateAs(std::shared_ptr<Script> script) {
   const int before = started_ ? world_->frame() : -1;
   auto world = std::make_unique<sim::World>(script->scene);
   if (carried_ || !drawsAlike(*script_, *script)) drawers_ = {};
-  keepWhatIsAlike(script);
+  keepEqualStates(script);
   script_ = std::move(script);
   setTestScene(nullptr);
   summaries_ = nullptr;
@@ -154,8 +155,8 @@ void Stage::simulateAs(std::shared_ptr<Script> script) {
 
 /// Keeps the states of frames before the frame at which the simulations begin to differ. If there are no
 /// such states, moves all states to past_, because a change is often undone.
-void Stage::keepWhatIsAlike(const std::shared_ptr<Script>& script) {
-  const int first = firstOther(keptOf_, *script);
+void Stage::keepEqualStates(const std::shared_ptr<Script>& script) {
+  const int first = firstOther(storedSimulation_, *script);
   if (kept_.before(first - 1) != nullptr) {
     kept_.forgetFrom(first);
     for (Series& series : series_)
@@ -164,11 +165,11 @@ void Stage::keepWhatIsAlike(const std::shared_ptr<Script>& script) {
     std::optional<Past> back;
     if (past_ && firstOther(past_->of, *script) == farFrame) back = std::move(past_);
     past_.reset();
-    if (!kept_.frames().empty()) past_ = Past{keptOf_, std::move(kept_), std::move(series_)};
+    if (!kept_.frames().empty()) past_ = Past{storedSimulation_, std::move(kept_), std::move(series_)};
     kept_ = back ? std::move(back->kept) : KeptStates(memory_);
     series_ = back ? std::move(back->series) : std::vector<Series>{};
   }
-  keptOf_ = simulatedOf(*script);
+  storedSimulation_ = simulatedOf(*script);
 }
 
 }  // namespace simreel::serve

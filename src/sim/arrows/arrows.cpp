@@ -96,9 +96,9 @@ class Arrows : public Simulation {
         ofGrid_(gl::kernelDefines(setting.fast)),
         ofPoints_(gl::kernelDefines(setting.fast)) {
     wind_ != nullptr ? planGrid() : planPoints();
-    if (count_ > mostArrows)
+    if (count_ > maxArrows)
       fail(ExitCode::usage, "arrows \"{}\": {} arrows are more than the {} that fit here; {}", name_,
-           count_, mostArrows, wind_ != nullptr ? "raise \"spacing\"" : "draw fewer with \"every\"");
+           count_, maxArrows, wind_ != nullptr ? "raise \"spacing\"" : "draw fewer with \"every\"");
     places_ = gl::Vec4Array(name_ + " places", static_cast<int>(count_));
     speeds_ = gl::Vec4Array(name_ + " speeds", static_cast<int>(count_));
     turns_ = gl::Vec4Array(name_ + " turns", static_cast<int>(count_));
@@ -165,7 +165,7 @@ class Arrows : public Simulation {
     const auto low = static_cast<float>(parameters_.low);
     const float high = parameters_.high ? static_cast<float>(*parameters_.high)
                                         : std::max(fastest, low + 1e-3F * std::max(1.0F, low));
-    part_.count = static_cast<int>(std::min<std::int64_t>(count_, mostArrows));
+    part_.count = static_cast<int>(std::min<std::int64_t>(count_, maxArrows));
     part_.scale = parameters_.scale ? static_cast<float>(*parameters_.scale) : part_.longest.value / high;
     part_.low = low;
     part_.perRange = 1 / (high - low);

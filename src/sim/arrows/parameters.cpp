@@ -55,7 +55,7 @@ void ArrowParameters::describe(scene::Fields& f) {
 
 void ArrowParameters::ports(Ports& ports) const {
   if (of.empty()) return;
-  ports.mustWant<ArrowSource>(of, {"of"});
+  ports.requireFrom<ArrowSource>(of, {"of"});
   if (sheet) ports.want<FieldSource>(of, {"of"});
 }
 

@@ -18,7 +18,7 @@ struct ArrowSource {
 };
 
 /// Parameters of the object kind "arrows".
-struct ArrowParameters : ObjectParameters, scene::Papered {
+struct ArrowParameters : ObjectParameters, scene::HasFieldSkin {
   enum class Anchor { middle, tail };
   std::string of;                 ///< name of the object whose velocities are drawn
   std::optional<double> spacing;  ///< distance between arrows in metres; if empty, 1/28 of the longer side
@@ -47,6 +47,6 @@ struct ArrowParameters : ObjectParameters, scene::Papered {
 };
 
 /// Maximum number of arrows of one object.
-inline constexpr int mostArrows = 1 << 16;
+inline constexpr int maxArrows = 1 << 16;
 
 }  // namespace simreel::sim

@@ -92,7 +92,7 @@ class Body : public Simulation, public ContactSolid {
   double frameSeconds_;
   BodyMotion motion_;
   MeshTopology topology_;
-  MovingLooks looks_;
+  MovingMeshMaterials looks_;
   SkinnedSurface surface_;
 };
 

@@ -12,16 +12,16 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double leastShare = 1.0 / 300;  ///< minimum dominated area for a capsule, as a fraction of the
-                                          ///< skin's area
+constexpr double minShare = 1.0 / 300;  ///< minimum dominated area for a capsule, as a fraction of the
+                                        ///< skin's area
 
 /// Returns the minimum area that a bone must dominate to get a capsule.
-double leastArea(std::vector<double> areas) {
+double minArea(std::vector<double> areas) {
   double total = 0;
   for (const double area : areas) total += area;
   std::sort(areas.begin(), areas.end(), std::greater<>());
   const double last = areas.size() > maxCapsules ? areas[maxCapsules - 1] : 0;
-  return std::max(last, leastShare * total);
+  return std::max(last, minShare * total);
 }
 
 /// Vertex that a bone dominates, in bone space.
@@ -142,20 +142,20 @@ std::vector<BoneCapsule> fitCapsules(const Figure& figure) {
   const std::vector<double> areas = vertexAreas(figure.mesh);
   std::vector<std::vector<Spot>> spots(figure.joints.size());
   for (std::size_t i = 0; i < figure.mesh.positions.size(); ++i) {
-    int most = 0;
+    int maximum = 0;
     for (int k = 1; k < 4; ++k)
-      if (figure.weights[i][k] > figure.weights[i][most]) most = k;
-    const std::size_t joint = figure.follow[i][most];
+      if (figure.weights[i][k] > figure.weights[i][maximum]) maximum = k;
+    const std::size_t joint = figure.follow[i][maximum];
     const glm::dvec4 place(glm::dvec3(figure.mesh.positions[i]), 1);
     spots[joint].push_back({glm::dvec3(figure.joints[joint].inverseBind * place), areas[i]});
   }
   std::vector<double> boneAreas;
   for (std::size_t joint = 0; joint < spots.size(); ++joint)
     boneAreas.push_back(figure.joints[joint].bone ? areaOf(spots[joint]) : 0);
-  const double least = leastArea(boneAreas);
+  const double minimum = minArea(boneAreas);
   std::vector<BoneCapsule> capsules;
   for (std::size_t joint = 0; joint < spots.size(); ++joint) {
-    if (!(boneAreas[joint] >= least) || !(least > 0) || capsules.size() == maxCapsules) continue;
+    if (!(boneAreas[joint] >= minimum) || !(minimum > 0) || capsules.size() == maxCapsules) continue;
     const FigureJoint& bone = figure.joints[joint];
     capsules.push_back(fitted(bone.node, spots[joint], childOf(figure, joint, bone.inverseBind)));
   }

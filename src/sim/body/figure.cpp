@@ -38,7 +38,7 @@ Figure loadFigure(const std::filesystem::path& file) {
          "the mesh {} is neither .gltf nor .glb; bones and motions need one of these formats",
          file.string());
   const std::string text = readFile(file, "mesh");
-  return unpacked<Figure>(readApart(file, [&] { return packed(readFigure(file, text)); }));
+  return unpacked<Figure>(readInSeparateProcess(file, [&] { return packed(readFigure(file, text)); }));
 }
 
 }  // namespace simreel::sim

@@ -102,9 +102,9 @@ class ModelReader {
         for (int k = 0; k < 3; ++k)
           at[k] =
               (corner >> k & 1) == 0 ? low[static_cast<std::size_t>(k)] : high[static_cast<std::size_t>(k)];
-        const glm::dvec3 there(world * at);
-        low_ = bounded_ ? glm::min(low_, there) : there;
-        high_ = bounded_ ? glm::max(high_, there) : there;
+        const glm::dvec3 placed(world * at);
+        low_ = bounded_ ? glm::min(low_, placed) : placed;
+        high_ = bounded_ ? glm::max(high_, placed) : placed;
         bounded_ = true;
       }
     });
@@ -227,7 +227,7 @@ class ModelReader {
 
 std::string sceneAroundModel(const std::filesystem::path& file) {
   if (!isGltf(file) || !pathExists(file)) return {};
-  return readApart(file, [&] {
+  return readInSeparateProcess(file, [&] {
     const std::string text = readFile(file, "mesh");
     try {
       return ModelReader(file, text).scene();

@@ -93,7 +93,7 @@ SkinPoints::SkinPoints(const std::string& body, std::shared_ptr<const BodyMotion
   for (unsigned i = 0; i < figure.mesh.positions.size(); ++i) skin.push_back(skinned(figure, rows, i));
   for (const glm::dvec3& point : points) {
     Place best{};
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f + 2 < figure.mesh.indices.size(); f += 3) {
       const std::array<unsigned, 3> corners = {figure.mesh.indices[f], figure.mesh.indices[f + 1],
                                                figure.mesh.indices[f + 2]};
@@ -102,12 +102,12 @@ SkinPoints::SkinPoints(const std::string& body, std::shared_ptr<const BodyMotion
       if (!(glm::dot(n, n) > 1e-20)) continue;  // skips a degenerate face
       const glm::dvec3 shares = nearestOf(t, point);
       const glm::dvec3 away = point - placeIn(t, shares);
-      if (!(glm::dot(away, away) < least)) continue;
-      least = glm::dot(away, away);
+      if (!(glm::dot(away, away) < minimum)) continue;
+      minimum = glm::dot(away, away);
       const auto axes = axesOf(t);
       best = {corners, shares, {glm::dot(away, axes[0]), glm::dot(away, axes[1]), glm::dot(away, axes[2])}};
     }
-    if (!(least < std::numeric_limits<double>::infinity()))
+    if (!(minimum < std::numeric_limits<double>::infinity()))
       fail(ExitCode::usage, "body \"{}\" has no faces to which pins could be attached", body);
     places_.push_back(best);
   }

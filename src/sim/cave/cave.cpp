@@ -70,7 +70,7 @@ class Cave final : public Simulation {
     drawables.surfaces.push_back(surface);
   }
 
-  void carryOver(CarryOver& carry) override { growth_.carryOver(carry); }
+  void visitCheckpointData(CarryOver& carry) override { growth_.visitCheckpointData(carry); }
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &growth_.cells().buffer(), true},
             {"distances", &growth_.distances().buffer()},

@@ -126,7 +126,7 @@ void CaveGrowth::advance(int stage) {
   }
 }
 
-void CaveGrowth::carryOver(CarryOver& carry) {
+void CaveGrowth::visitCheckpointData(CarryOver& carry) {
   carry.number("stage", stage_);
   carry.array("cells", cells_[0].buffer());
   carry.array("rooms", roomCells_.buffer());

@@ -46,7 +46,7 @@ class CaveGrowth {
   /// Returns the rooms that corridors connect. In an unfinished cave, these are the current rooms. Reads
   /// back data and waits for the GPU.
   [[nodiscard]] std::vector<Room> rooms() const;
-  void carryOver(CarryOver& carry);
+  void visitCheckpointData(CarryOver& carry);
 
  private:
   void fill(int seed);

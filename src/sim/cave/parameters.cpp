@@ -101,7 +101,7 @@ SolidShape CaveParameters::shape(double time) const {
 
 void CaveParameters::ports(Ports& ports) const {
   ports.provide<FieldSource>().parts = {"distance"};
-  ports.provide<Way>();
+  ports.provide<PathPort>();
   ports.provide<Walls>();
 }
 

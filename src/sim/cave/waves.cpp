@@ -25,7 +25,7 @@ struct CaveWave {
   gl::Uniform<"waves", int> waves;
 };
 
-struct CaveShow {
+struct CaveDisplay {
   static constexpr auto file = "cave/show_distances.comp";
   CaveWavePart part;
   gl::Out<"ShownBlock"> shown;
@@ -45,7 +45,7 @@ CaveWaves::CaveWaves(const std::string& name, const CaveGrid& grid)
     : grid_(grid),
       start_(gl::Defines()),
       waves_(gl::Defines()),
-      show_(gl::Defines()),
+      display_(gl::Defines()),
       distances_(name + " steps", static_cast<std::size_t>(grid.numbers()) * 4),
       queue_(name + " wave cells", static_cast<std::size_t>(grid.numbers()) * 4),
       wave_(name + " wave", 32) {}
@@ -71,7 +71,7 @@ CaveWaves::Farthest CaveWaves::run(const gl::Buffer& cells, unsigned start) {
 }
 
 void CaveWaves::writeDistances(const gl::Buffer& cells, const gl::Buffer& field) const {
-  show_.dispatch({32 * grid_.rowWords(), grid_.size.y}, {part(cells), field});
+  display_.dispatch({32 * grid_.rowWords(), grid_.size.y}, {part(cells), field});
   gl::barrier();
 }
 

@@ -8,7 +8,7 @@ namespace simreel::sim {
 
 struct CaveWaveStart;
 struct CaveWave;
-struct CaveShow;
+struct CaveDisplay;
 struct CaveWavePart;
 
 /// Computes distances over a cave's open cells, in steps over edges, by breadth-first search on the GPU.
@@ -36,7 +36,7 @@ class CaveWaves {
   CaveGrid grid_;
   gl::Kernel<CaveWaveStart> start_;
   gl::Kernel<CaveWave> waves_;
-  gl::Kernel<CaveShow> show_;
+  gl::Kernel<CaveDisplay> display_;
   gl::Buffer distances_, queue_, wave_;
 };
 

@@ -25,7 +25,7 @@ namespace {
 
 constexpr unsigned fullHeight = 1U << 24U;  ///< count that is drawn at the full height of the chart
 constexpr int firstRows = 256;
-constexpr std::array<glm::vec3, ChartParameters::mostCurves> curveColors = {
+constexpr std::array<glm::vec3, ChartParameters::maxCurves> curveColors = {
     glm::vec3(1, 0.42F, 0.08F), glm::vec3(0.08F, 0.45F, 1), glm::vec3(0.2F, 0.8F, 0.25F),
     glm::vec3(0.8F, 0.3F, 0.9F)};
 
@@ -33,7 +33,7 @@ constexpr std::array<glm::vec3, ChartParameters::mostCurves> curveColors = {
 /// frame, from time 0 on.
 class ChartObject : public Simulation, public FrameObserver {
  public:
-  using Row = std::array<double, ChartParameters::mostCurves>;
+  using Row = std::array<double, ChartParameters::maxCurves>;
 
   ChartObject(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -64,7 +64,7 @@ class ChartObject : public Simulation, public FrameObserver {
     kept_.write(bytesOf(rows_.size() - 1), std::as_bytes(std::span(&rows_.back(), 1)));
   }
 
-  void carryOver(CarryOver& carry) override {
+  void visitCheckpointData(CarryOver& carry) override {
     std::size_t rows = rows_.size(), room = room_;
     carry.number("noted frames", rows);
     carry.number("room for noted frames", room);
@@ -107,17 +107,17 @@ class ChartObject : public Simulation, public FrameObserver {
   /// Returns the range of the value axis: the limits given by the scene, otherwise rounded limits of the
   /// recorded values.
   [[nodiscard]] ChartRange rangeNow() const {
-    double least = std::numeric_limits<double>::max(), most = std::numeric_limits<double>::lowest();
+    double minimum = std::numeric_limits<double>::max(), maximum = std::numeric_limits<double>::lowest();
     for (const Row& row : rows_)
       for (std::size_t i = 0; i < parameters_.curves.size(); ++i) {
         if (!(std::abs(row[i]) < 1e30)) continue;
-        least = std::min(least, row[i]);
-        most = std::max(most, row[i]);
+        minimum = std::min(minimum, row[i]);
+        maximum = std::max(maximum, row[i]);
       }
-    if (least > most) least = most = 0;
-    if (parameters_.low) least = std::min(least, *parameters_.low);
-    if (parameters_.high) most = std::max(most, *parameters_.high);
-    ChartRange range = roundRange(least, most);
+    if (minimum > maximum) minimum = maximum = 0;
+    if (parameters_.low) minimum = std::min(minimum, *parameters_.low);
+    if (parameters_.high) maximum = std::max(maximum, *parameters_.high);
+    ChartRange range = roundRange(minimum, maximum);
     if (parameters_.low) range.low = *parameters_.low;
     if (parameters_.high) range.high = *parameters_.high;
     if (!(range.low < range.high)) range.high = range.low + 1;
@@ -151,7 +151,7 @@ class ChartObject : public Simulation, public FrameObserver {
   QuantityReader measured_;
   std::size_t room_ = firstRows;
   std::vector<Row> rows_;
-  gl::Buffer kept_;  ///< copy of rows_ on the GPU, which carryOver() visits
+  gl::Buffer kept_;  ///< copy of rows_ on the GPU, which visitCheckpointData() visits
   mutable gl::WordsArray counts_;
   mutable std::size_t counted_ = 0;    ///< number of valid rows in counts_
   mutable ChartRange shown_ = {0, 0};  ///< scale of the rows in counts_

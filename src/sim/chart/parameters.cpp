@@ -40,7 +40,7 @@ void ChartParameters::describe(scene::Fields& f) {
           c.error("of", fmt::format("say which quantity of which object as \"OBJECT.QUANTITY\", not \"{}\"",
                                     curve.of));
       },
-      mostCurves);
+      maxCurves);
   f.optionalNumber("low", low, anyValue, "", "Value at the foot of the chart.");
   f.leftOut("low", "a round number below what was so far");
   f.optionalNumber("high", high, anyValue, "", "Value at the top of the chart, greater than \"low\".");
@@ -66,26 +66,26 @@ void ChartParameters::describe(scene::Fields& f) {
 }
 
 void ChartParameters::ports(Ports& ports) const {
-  for (const Curve& curve : curves) ports.mustWant<Measured>(curve.of, {"curves"});
+  for (const Curve& curve : curves) ports.requireFrom<Measured>(curve.of, {"curves"});
 }
 
-ChartRange roundRange(double least, double most) {
-  const double size = std::max(std::abs(least), std::abs(most));
-  if (!(most - least > std::max(1e-9 * size, 1e-30))) {
+ChartRange roundRange(double minimum, double maximum) {
+  const double size = std::max(std::abs(minimum), std::abs(maximum));
+  if (!(maximum - minimum > std::max(1e-9 * size, 1e-30))) {
     if (size < 1e-30) return {0, 1};
     const double around = 0.5 * size;
-    least -= around;
-    most += around;
+    minimum -= around;
+    maximum += around;
   }
   // Finds the minimum step for which the limits are at most four steps apart. Powers of ten are computed by
   // multiplication.
   double decade = 1;
-  while (decade * 10 <= most - least) decade *= 10;
-  while (decade > most - least) decade /= 10;
+  while (decade * 10 <= maximum - minimum) decade *= 10;
+  while (decade > maximum - minimum) decade /= 10;
   decade /= 10;
   for (;; decade *= 10)
     for (const double step : {decade, 2 * decade, 5 * decade}) {
-      const double low = std::floor(least / step), high = std::ceil(most / step);
+      const double low = std::floor(minimum / step), high = std::ceil(maximum / step);
       if (high - low <= 4) return {low * step, high * step};
     }
 }

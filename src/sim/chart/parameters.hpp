@@ -21,8 +21,8 @@ struct ChartParameters : ObjectParameters {
     [[nodiscard]] std::string object() const;
     [[nodiscard]] std::string quantity() const;
   };
-  static constexpr std::size_t mostCurves = 4;  ///< maximum number of curves that one Chart drawable
-                                                ///< supports
+  static constexpr std::size_t maxCurves = 4;  ///< maximum number of curves that one Chart drawable
+                                               ///< supports
 
   std::vector<Curve> curves;
   std::optional<double> low, high;  ///< values at the bottom and top of the chart; if empty, rounded limits
@@ -40,9 +40,9 @@ struct ChartParameters : ObjectParameters {
 struct ChartRange {
   double low = 0, high = 1;
 };
-/// Returns a scale around values from `least` to `most`. Its limits are multiples of a step of 1, 2 or 5
-/// times a power of ten, at most four steps apart. If the values are all equal, the scale extends by half
+/// Returns a scale around values from `minimum` to `maximum`. Its limits are multiples of a step of 1, 2 or
+/// 5 times a power of ten, at most four steps apart. If the values are all equal, the scale extends by half
 /// their magnitude on both sides; for zeros it is 0 to 1.
-[[nodiscard]] ChartRange roundRange(double least, double most);
+[[nodiscard]] ChartRange roundRange(double minimum, double maximum);
 
 }  // namespace simreel::sim

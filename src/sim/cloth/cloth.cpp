@@ -44,7 +44,7 @@ class Cloth : public Simulation, public LockStep {
       : name_(object.name),
         material_(parametersOf<ClothParameters>(object).coloring.used() ? ClothColoring::materialOf(object)
                                                                         : object.material),
-        plan_(parametersOf<ClothParameters>(object).inStep(setting.together<LockStep>().steps),
+        plan_(parametersOf<ClothParameters>(object).withContactSubsteps(setting.together<LockStep>().steps),
               setting.seed, setting.frameSeconds, *setting.colliders, boneNamedIn(setting),
               setting.startTime, heldBySkinIn(setting)),
         size_(checked(name_, plan_.parameters().size)),
@@ -128,8 +128,8 @@ class Cloth : public Simulation, public LockStep {
     drawables.surfaces.push_back(surface);
   }
 
-  void carryOver(CarryOver& carry) override {
-    plan_.carryOver(carry);
+  void visitCheckpointData(CarryOver& carry) override {
+    plan_.visitCheckpointData(carry);
     carry.array("positions", kernels_.positions().buffer());
     carry.array("velocities", kernels_.velocities().buffer());
     if (kernels_.hasTrends()) carry.array("trends", kernels_.trends().buffer());

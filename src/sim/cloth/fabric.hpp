@@ -16,11 +16,11 @@ inline constexpr double constraintPart = 2.0 / 3;
 /// Their compliance grows by softSeconds^2 times the inverse masses, so that vibrations along the cloth
 /// faster than 1 / softSeconds rad/s are slowed to that frequency. The measured energy differs from the
 /// conserved energy by 1/12 (dt / softSeconds)^2 of the energy in these vibrations. A line under a heavy
-/// load is softened less, but at least by leastSoftening, the minimum ratio (softSeconds / dt)^2 at which
+/// load is softened less, but at least by minSoftening, the minimum ratio (softSeconds / dt)^2 at which
 /// rows, columns and pairs that all pull in one direction are stable.
 inline constexpr double softSeconds = 1.8e-3;
 inline constexpr double keepingSubstep = 1.0 / 1920;  ///< maximum substep in seconds for "auto"
-inline constexpr double leastSoftening = 1.5;
+inline constexpr double minSoftening = 1.5;
 inline constexpr double pairSoftening = 4;  ///< minimum softening of pairs; glsl/cloth/keeping.glsl has the
                                             ///< same number
 /// Softening of the faces of a mesh, as a ratio, for vertices at which six faces meet. With half this

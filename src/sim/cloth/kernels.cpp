@@ -145,7 +145,7 @@ void ClothKernels::predict(int substep, const ClothPart& part) {
   else
     dispatchStep(part);
   predicted_ = true;
-  fendThin(part);
+  pushThin(part);
   if (!plan_->parameters().contact) return;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   left_.copyFrom(positions_[1]);
@@ -157,7 +157,7 @@ void ClothKernels::settle(const ClothPart& part) const {
                                        .next = positions_[1],
                                        .velocities = velocities(),
                                        .left = left_});
-  fendThin(part);
+  pushThin(part);
 }
 
 void ClothKernels::finish() {
@@ -210,7 +210,7 @@ gl::Kernel<ClothSolveKernel> ClothKernels::lineSolver(const gl::Defines& defines
                 .segments = segments});
 }
 
-void ClothKernels::fendThin(const ClothPart& part) const {
+void ClothKernels::pushThin(const ClothPart& part) const {
   thin_.resolveThin(part.step, positions_[0], positions_[1], velocities(), [&](const ThinPart& thin) {
     findThin_.dispatch(size_, {.size = size_, .status = part.status, .thin = thin});
   });

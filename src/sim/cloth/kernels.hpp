@@ -69,7 +69,7 @@ class ClothKernels {
   void relaxInTiles(const ClothPart& part) const;
   void dispatchTiles(const gl::Kernel<ClothRelaxKernel>& kernel, int halo,
                      const ClothRelaxKernel& given) const;
-  void fendThin(const ClothPart& part) const;
+  void pushThin(const ClothPart& part) const;
   [[nodiscard]] int lineCount(glm::ivec2 reach) const;
   [[nodiscard]] bool bends() const { return relaxedFamilies(plan_->parameters()).size() > 2; }
 

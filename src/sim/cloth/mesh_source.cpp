@@ -15,8 +15,8 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::int64_t mostClothVertices = 250'000;  // limits memory, because ClothPlan needs 6 kB per
-                                                     // vertex
+constexpr std::int64_t maxClothVertices = 250'000;  // limits memory, because ClothPlan needs 6 kB per
+                                                    // vertex
 
 /// Returns the point of the unit circle at the fraction `part` of a turn, starting from +z.
 glm::dvec2 onCircle(double part) {
@@ -58,9 +58,9 @@ void ClothMesh::describe(scene::Fields& f) {
   f.idleUnless(torus, ruler, {"tube"}, "a \"torus\"");
   f.idleUnless(cylinder, ruler, {"length"}, "a \"cylinder\"");
   f.idleUnless(shape != ClothShape::file, ruler, {"resolution"}, "what is generated");
-  if (std::int64_t{resolution.x} * resolution.y > mostClothVertices)
+  if (std::int64_t{resolution.x} * resolution.y > maxClothVertices)
     f.error("resolution",
-            fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, mostClothVertices));
+            fmt::format("{}x{} are more than {} vertices", resolution.x, resolution.y, maxClothVertices));
 }
 
 Mesh ClothMesh::make() const {
@@ -155,8 +155,8 @@ Mesh cubedSphereMesh(float radius, int vertices) {
                                           // coincide at their common edge.
           const int even = 2 * i - (vertices - 1);
           const double angle = 0.25 * std::numbers::pi * std::abs(even) / (vertices - 1);
-          const double most = std::abs(even) == vertices - 1 ? 1.0 : ieee::tan(angle);
-          return even < 0 ? -most : most;
+          const double maximum = std::abs(even) == vertices - 1 ? 1.0 : ieee::tan(angle);
+          return even < 0 ? -maximum : maximum;
         };
         const glm::dvec3 place = side[0] + side[1] * across(x) + side[2] * across(y);
         // The squares are summed in sorted order, so that vertices on two sides have identical bits.

@@ -209,7 +209,7 @@ int ClothParameters::clampOf(int border) const {
   return -1;
 }
 
-float ClothParameters::massAt(glm::ivec2 at) const {
+float ClothParameters::particleMass(glm::ivec2 at) const {
   if (!fabric) return mass;
   const auto share = [](int i, int count) { return i == 0 || i == count - 1 ? 0.5F : 1.0F; };
   return fabric->constants().density * spacing * spacing * share(at.x, size.x) * share(at.y, size.y);
@@ -221,7 +221,7 @@ float ClothParameters::contactThickness(float between) const {
   return std::clamp(own, 0.125F * between, 0.35F * between);
 }
 
-ClothParameters ClothParameters::inStep(int contactSubsteps) const {
+ClothParameters ClothParameters::withContactSubsteps(int contactSubsteps) const {
   ClothParameters all = *this;
   if (contact && contactSubsteps > 0) all.substeps = contactSubsteps;
   return all;
@@ -245,18 +245,18 @@ double ClothParameters::fastestAir() const {
 
 double ClothParameters::greatestLoad(double each) const {
   const auto greatest = [](const scene::Animated<glm::vec3>& vector) {
-    double most = 0;
+    double maximum = 0;
     for (const auto& key : vector.keys()) {
       const glm::dvec3 v(key.value);
-      most = std::max(most, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
+      maximum = std::max(maximum, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
     }
-    return most;
+    return maximum;
   };
   return greatest(gravity) + greatest(wind) / each;
 }
 
 // The search is breadth-first, starting from all pinned particles at the same time.
-int ClothParameters::mostOnOnePin() const {
+int ClothParameters::maxOnOnePin() const {
   if (mesh) return 0;
   constexpr int nobody = -1;
   std::vector<int> pinOf(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), nobody);
@@ -287,14 +287,14 @@ int ClothParameters::mostOnOnePin() const {
 }
 
 double ClothParameters::hangingSquared() const {
-  return 4.0 * std::max(size.x, size.y) * greatestLoad(massAt(size / 2)) / spacing;
+  return 4.0 * std::max(size.x, size.y) * greatestLoad(particleMass(size / 2)) / spacing;
 }
 
 // The frequency is w^2 = 4 T / (m L) with the tension T = N m a, for N particles of mass m, the
 // acceleration a and the spacing L. Although the tension decreases along the line, cotton sheets that hang
 // by two corners become unstable at (w dt)^2 = 2.7 instead of 4; the factor 1.5 accounts for that.
 double ClothParameters::pinnedSquared() const {
-  return 1.5 * 4.0 * mostOnOnePin() * greatestLoad(massAt(size / 2)) / spacing;
+  return 1.5 * 4.0 * maxOnOnePin() * greatestLoad(particleMass(size / 2)) / spacing;
 }
 
 double ClothParameters::stableSeconds(double lines) const {
@@ -306,17 +306,17 @@ double ClothParameters::stableSeconds(double lines) const {
   // and a straight line of masses swings sideways with w^2 <= 4 T / (m L) = 4 N a / L, where a is the
   // acceleration and L the spacing. Air pulls, too: a sheet that streams from a pole feels about a tenth of
   // its face-on drag.
-  const double each = massAt({1, 1});
+  const double each = particleMass({1, 1});
   const double area = static_cast<double>(spacing) * spacing;
   const double fastest = fastestAir();
   const double streaming = air ? 0.1 * 0.5 * air->density * static_cast<double>(air->drag + air->lift) *
                                      fastest * fastest * area / each * lines
                                : 0.0;
   // If the constraints keep energy, the softening times w^2 dt^2 must be below 1, and the tension during a
-  // swing exceeds the tension at rest. This is evaluated only for constraints, because mostOnOnePin()
+  // swing exceeds the tension at rest. This is evaluated only for constraints, because maxOnOnePin()
   // visits every particle.
   const auto hanging = [&] {
-    return (keepsEnergy() ? hangingSquared() * 6 * leastSoftening
+    return (keepsEnergy() ? hangingSquared() * 6 * minSoftening
                           : std::max(hangingSquared(), pinnedSquared())) +
            4.0 * std::max(size.x, size.y) * streaming / spacing;
   };

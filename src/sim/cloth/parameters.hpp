@@ -77,7 +77,7 @@ struct Seam {
 
 struct ClothParameters : ObjectParameters,
                          HasColorRange,
-                         scene::Dressed,
+                         scene::HasFinish,
                          TouchesMeshes,
                          shader::ClothConstants {
   std::optional<ClothMesh> mesh;  ///< triangle mesh; empty if the cloth is a grid
@@ -119,15 +119,15 @@ struct ClothParameters : ObjectParameters,
   /// particles that are pinned initially. A cloth without pins is assumed to fall by its size.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
-  [[nodiscard]] std::int64_t leastBlockBytes() const override {
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
     return mesh ? 0 : std::int64_t{24} * (size.x - 1) * (size.y - 1);
   }
   [[nodiscard]] Looks looks() const override { return Looks::cloth; }
   [[nodiscard]] std::optional<scene::Material> look() const override;
-  [[nodiscard]] bool wanders() const override { return true; }
+  [[nodiscard]] bool motionIsUnpredictable() const override { return true; }
   /// Returns a copy of the parameters with `contactSubsteps` substeps per frame, a number that all cloths
   /// in contact have in common. If `contactSubsteps` is 0, the copy has the cloth's own number.
-  [[nodiscard]] ClothParameters inStep(int contactSubsteps) const;
+  [[nodiscard]] ClothParameters withContactSubsteps(int contactSubsteps) const;
   /// Returns the minimum number of substeps per frame for "auto": `otherwise`, but for a cloth in contact
   /// at least 960 per second. Contact is solved with only one or two rounds per substep, and 960 substeps
   /// per second keep layers apart.
@@ -148,7 +148,7 @@ struct ClothParameters : ObjectParameters,
   /// Returns the number of particles that hang from the most loaded pinned particle. Each particle hangs
   /// from the pinned particle that is nearest along rows and columns. Returns 0 if nothing is pinned or if
   /// the cloth is a mesh.
-  [[nodiscard]] int mostOnOnePin() const;
+  [[nodiscard]] int maxOnOnePin() const;
   /// Returns the maximum squared angular frequency w^2 (1/s^2) of the sideways swings of the longest
   /// hanging line.
   [[nodiscard]] double hangingSquared() const;
@@ -157,7 +157,7 @@ struct ClothParameters : ObjectParameters,
   [[nodiscard]] double pinnedSquared() const;
   /// Returns the mass of a particle in kg; for a fabric, this is the density times the part of the area
   /// that belongs to the particle.
-  [[nodiscard]] float massAt(glm::ivec2 at) const;
+  [[nodiscard]] float particleMass(glm::ivec2 at) const;
   /// Returns the index of the pin group that clamps a border (0 left, 1 right, 2 top, 3 bottom), or -1 if
   /// none does.
   [[nodiscard]] int clampOf(int border) const;

@@ -120,7 +120,8 @@ std::vector<glm::vec4> ClothPlan::firstPositions() const {
     for (int x = 0; x < size.x; ++x) {
       const glm::vec3 noise = shader::signedUnits(shader::hash3(
           {static_cast<unsigned>(x), static_cast<unsigned>(y), static_cast<unsigned>(seed_)}));
-      positions.emplace_back(restAt(x, y) + noise * parameters_.jitter, 1.0F / parameters_.massAt({x, y}));
+      positions.emplace_back(restAt(x, y) + noise * parameters_.jitter,
+                             1.0F / parameters_.particleMass({x, y}));
     }
   for (const PinGroup& group : parameters_.pins)
     for (const int i : parameters_.pinnedBy(group)) positions[static_cast<std::size_t>(i)].w = 0.0F;
@@ -153,8 +154,8 @@ Softness ClothPlan::softness() const {
   // A straight line whose tension gives it the frequency w is stable up to a softening of 1 / (w dt)^2. In
   // a swing, the tension is three times the hanging weight.
   const double squared = substepSeconds_ * substepSeconds_;
-  const double most = 1.0 / (3.0 * parameters_.hangingSquared() * squared);
-  return {std::max(std::min(softSeconds * softSeconds / squared, most), leastSoftening), substepSeconds_};
+  const double maximum = 1.0 / (3.0 * parameters_.hangingSquared() * squared);
+  return {std::max(std::min(softSeconds * softSeconds / squared, maximum), minSoftening), substepSeconds_};
 }
 
 // A substep relaxes each diagonal once, so its effective stiffness is 1 / (compliance + w h^2), where w is
@@ -165,7 +166,7 @@ double ClothPlan::diagonalStiffness() const {
   const double shear = parameters_.fabric.value_or(Fabric{}).constants().shear;
   if (parameters_.keepsEnergy()) return shear;
   const double reach = constraintPart * substepSeconds_;
-  const double inverseMasses = 2.0 / parameters_.massAt({1, 1});
+  const double inverseMasses = 2.0 / parameters_.particleMass({1, 1});
   return 1 / (1 / shear + 2.0 / 3 * inverseMasses * reach * reach);
 }
 

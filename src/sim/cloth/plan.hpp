@@ -58,7 +58,7 @@ class ClothPlan {
   /// Returns the data of the substeps of the frame that starts at `time` (seconds). Frames must be
   /// requested in order, because the drift of the gusts accumulates.
   [[nodiscard]] std::vector<shader::ClothStep> frame(double time);
-  void carryOver(CarryOver& carry) {
+  void visitCheckpointData(CarryOver& carry) {
     carry.number("steps begun", done_);
     for (double& drift : drift_) carry.number("gusts' drift", drift);
   }

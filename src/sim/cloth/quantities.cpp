@@ -100,15 +100,15 @@ double complianceOf(const ClothParameters& p, const SpringFamily& family, double
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
-/// Returns the minimum compliance of a line's links, as a ratio to the inverse masses. It equals keptGive
-/// in glsl/cloth/segment.glsl.
-double keptGive(std::span<const glm::vec4> line, double rest, double softening) {
+/// Returns the minimum compliance of a line's links, as a ratio to the inverse masses. It equals
+/// minCompliance in glsl/cloth/segment.glsl.
+double minCompliance(std::span<const glm::vec4> line, double rest, double softening) {
   if (std::count_if(line.begin(), line.end(), [](const glm::vec4& p) { return p.w == 0; }) < 2) return 0;
-  const double least = 0.125 / softening;
-  if (line.front().w > 0 || line.back().w > 0) return least;
+  const double minimum = 0.125 / softening;
+  if (line.front().w > 0 || line.back().w > 0) return minimum;
   const glm::dvec3 d(glm::vec3(line.back()) - glm::vec3(line.front()));
   return std::max(3 * (std::sqrt(glm::dot(d, d)) / (rest * static_cast<double>(line.size() - 1)) - 1),
-                  least);
+                  minimum);
 }
 
 /// Returns the energy of softened constraints with the stretches C: 1/2 C^T B^-1 C for lines, where B =
@@ -136,7 +136,7 @@ double keptEnergy(const ClothParameters& p, const SpringFamily& family, double s
       glm::dvec3 before(0);
       std::vector<glm::vec4> whole;
       for (glm::ivec2 from(x, y); line && inside(from); from += family.reach) whole.push_back(at(from));
-      const double give = line ? keptGive(whole, restLength, softness.lines) : 0.0;
+      const double give = line ? minCompliance(whole, restLength, softness.lines) : 0.0;
       for (glm::ivec2 from(x, y); inside(from + family.reach); from += family.reach) {
         const glm::dvec4 a(at(from));
         const glm::dvec4 b(at(from + family.reach));
@@ -219,7 +219,7 @@ std::vector<double> measureCloth(const ClothParameters& parameters, std::span<co
   double total = 0;
   const auto width = static_cast<std::size_t>(parameters.size.x);
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const double mass = parameters.massAt({static_cast<int>(i % width), static_cast<int>(i / width)});
+    const double mass = parameters.particleMass({static_cast<int>(i % width), static_cast<int>(i / width)});
     total += mass;
     const glm::dvec3 v(velocities[i]);
     const double squared = glm::dot(v, v);

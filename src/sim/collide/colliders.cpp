@@ -24,12 +24,12 @@ float keptOf(float rate, double seconds) {
   return shader::exactExp(static_cast<float>(-rate * seconds));
 }
 
-ColliderPlan::ColliderPlan(const char* who, std::vector<ColliderShape> shapes, int substeps,
+ColliderPlan::ColliderPlan(const char* kindName, std::vector<ColliderShape> shapes, int substeps,
                            double substepSeconds)
     : shapes_(std::move(shapes)), substeps_(substeps), substepSeconds_(substepSeconds) {
   if (shapes_.size() > shader::maxColliders)
     fail(ExitCode::usage,
-         "{} collides with at most {} shapes, the scene has {}; set \"collides\": false on some", who,
+         "{} collides with at most {} shapes, the scene has {}; set \"collides\": false on some", kindName,
          shader::maxColliders, shapes_.size());
 }
 
@@ -48,9 +48,9 @@ bool ColliderPlan::isThin(const ColliderShape& shape, double edge, double margin
   return radiusOf(shape) + margin < (ball ? 0.7 : 0.49) * edge;
 }
 
-int ColliderPlan::putThinLast(double edge, double margin, double least) {
+int ColliderPlan::putThinLast(double edge, double margin, double minimum) {
   const auto isThick = [&](const ColliderShape& shape) {
-    return !isThin(shape, edge, margin) && !(radiusOf(shape) + margin < least);
+    return !isThin(shape, edge, margin) && !(radiusOf(shape) + margin < minimum);
   };
   const auto thin = std::stable_partition(shapes_.begin(), shapes_.end(), isThick);
   return static_cast<int>(shapes_.end() - thin);

@@ -19,18 +19,19 @@ namespace simreel::sim {
 /// Computes the colliders' data for each substep. The CPU references use it, too.
 class ColliderPlan {
  public:
-  /// Throws UserError(usage) if there are more shapes than the kernels support. `who` (such as "a cloth")
-  /// appears in the message.
-  ColliderPlan(const char* who, std::vector<ColliderShape> shapes, int substeps, double substepSeconds);
+  /// Throws UserError(usage) if there are more shapes than the kernels support. `kindName` (such as "a
+  /// cloth") appears in the message.
+  ColliderPlan(const char* kindName, std::vector<ColliderShape> shapes, int substeps,
+               double substepSeconds);
 
   [[nodiscard]] int count() const { return static_cast<int>(shapes_.size()); }
   /// Returns true if the shape, enlarged by `margin` (metres), could pass between vertices that are `edge`
   /// (metres) apart. That is so for a rod thinner than `edge` and for a sphere that fits between four
   /// vertices.
   static bool isThin(const ColliderShape& shape, double edge, double margin);
-  /// Moves all thin shapes (see isThin()), and all shapes whose radius plus margin is below `least`
+  /// Moves all thin shapes (see isThin()), and all shapes whose radius plus margin is below `minimum`
   /// (metres), to the end of the list. Returns the number of shapes moved.
-  int putThinLast(double edge, double margin, double least = 0);
+  int putThinLast(double edge, double margin, double minimum = 0);
   /// Returns the colliders at the end of each substep of the frame that starts at `time` (seconds), count()
   /// per substep.
   [[nodiscard]] std::vector<std::vector<shader::Collider>> frame(double time) const;

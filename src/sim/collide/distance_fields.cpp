@@ -48,12 +48,13 @@ constexpr int roundsOfSearch = 4096;  // number of search iterations per dispatc
                                       // inner loop of up to leafFaces iterations
 
 void checkSize(const char* what, std::size_t elements, const char* advice) {
-  const std::int64_t most = std::min(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);
-  if (static_cast<std::int64_t>(elements) > most)
+  const std::int64_t maximum =
+      std::min(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);
+  if (static_cast<std::int64_t>(elements) > maximum)
     fail(ExitCode::device,
          "the {} of the meshes that collide are {} elements of 16 bytes, this device allows {} in one "
          "buffer; {}",
-         what, elements, most, advice);
+         what, elements, maximum, advice);
 }
 
 }  // namespace

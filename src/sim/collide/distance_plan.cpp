@@ -22,9 +22,9 @@ namespace simreel::sim {
 namespace {
 
 constexpr int usualCells = 64;
-constexpr int mostUsualCells = 256;
-constexpr std::int64_t mostUsual = 2'000'000;
-constexpr std::int64_t mostNodes = 4'000'000;  // maximum number of grid nodes; larger grids would exceed
+constexpr int maxUsualCells = 256;
+constexpr std::int64_t maxUsual = 2'000'000;
+constexpr std::int64_t nodeLimit = 4'000'000;  // maximum number of grid nodes; larger grids would exceed
                                                // the maximum number of workgroups (of 64 invocations) in a
                                                // dispatch
 
@@ -52,17 +52,16 @@ DistancePlan::DistancePlan(const std::string& name, const Mesh& mesh, float scal
   const double thickness = 2 * closed.volume / closed.area;
   int along = cellsAlong;
   if (along == 0) {
-    along =
-        std::clamp(static_cast<int>(std::min(4 * longest / thickness, 1e6)), usualCells, mostUsualCells);
-    while (along > 8 && productOf(cellsFor(size, along, reach)) > mostUsual) --along;
+    along = std::clamp(static_cast<int>(std::min(4 * longest / thickness, 1e6)), usualCells, maxUsualCells);
+    while (along > 8 && productOf(cellsFor(size, along, reach)) > maxUsual) --along;
   }
   cells = cellsFor(size, along, reach);
-  if (productOf(cells + 1) > mostNodes)
+  if (productOf(cells + 1) > nodeLimit)
     fail(ExitCode::usage,
          "mesh \"{}\" collides by {}x{}x{} cells, whose corners are more than {}; lower \"distanceCells\" "
          "({}) or the "
          "margins of what touches it ({:.3g} m)",
-         name, cells.x, cells.y, cells.z, mostNodes, along, reach);
+         name, cells.x, cells.y, cells.z, nodeLimit, along, reach);
   const double side = longest / along;
   if (side > thickness)
     warn(

@@ -24,7 +24,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr int rampCells = 256;
-constexpr int mostUnnamed = 16;  // maximum number of categories that are shown without labels
+constexpr int maxUnnamed = 16;  // maximum number of categories that are shown without labels
 
 std::string headingOf(const ColorBarParameters& parameters) {
   return parameters.unit.empty() ? parameters.title
@@ -137,7 +137,7 @@ class ColorBar : public Simulation {
              "colorBar \"{}\": the label \"{}\" has the value {:g}, but \"{}\" has the values 0 to {}",
              name_, label.text, label.value, parameters_.of, count - 1);
     if (!all.empty()) return all;
-    if (count > mostUnnamed)
+    if (count > maxUnnamed)
       fail(ExitCode::usage,
            "colorBar \"{}\": \"{}\" has {} categories; choose with \"labels\": [{{\"value\": 1, "
            "\"text\": \"...\"}}]",

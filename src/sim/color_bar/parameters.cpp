@@ -61,7 +61,7 @@ std::filesystem::path ColorBarParameters::fontFile() const {
 }
 
 void ColorBarParameters::ports(Ports& ports) const {
-  if (!of.empty()) ports.mustWant<ColorScale>(of, {"of"}, When::afterFrame);
+  if (!of.empty()) ports.requireFrom<ColorScale>(of, {"of"}, When::afterFrame);
 }
 
 std::vector<BarTick> barTicks(double first, double last, int count) {

@@ -21,7 +21,7 @@ namespace {
 namespace at = shader::contact;
 
 constexpr int holdRounds = 4;  ///< Number of rounds, each of which dispatches hold.comp once.
-constexpr std::size_t mostPairsWord = 5;
+constexpr std::size_t pairLimitWord = 5;
 
 /// Checks the device limits, before any array is allocated or filled.
 void checkLimits(std::size_t vertices) {
@@ -82,7 +82,7 @@ void Contact::makeKernels(bool fast) {
   make(push_);
   make(apply_);
   make(hand_);
-  make(take_);
+  make(readBack_);
   make(hold_);
   make(leave_);
   for (int i = 0; i < static_cast<int>(std::size(refit_)); ++i)
@@ -131,22 +131,22 @@ void Contact::uploadSteps() {
 }
 
 bool Contact::endFrame() {
-  unsigned most = 0;
+  unsigned maximum = 0;
   gl::barrier();
-  control_.read(4 * mostPairsWord, std::as_writable_bytes(std::span(&most, 1)));
-  if (most == ~0U)
+  control_.read(4 * pairLimitWord, std::as_writable_bytes(std::span(&maximum, 1)));
+  if (maximum == ~0U)
     fail(ExitCode::device,
          "cloths in contact: the search for neighbours took too long, because too much cloth is crumpled "
          "in one place; use more substeps or slower motion");
-  const bool enough = most <= static_cast<unsigned>(maxPairs_);
+  const bool enough = maximum <= static_cast<unsigned>(maxPairs_);
   // Keeps the capacity at twice the number of pairs or more. A frame seldom has more than twice as many
   // pairs as the previous frame.
   int wanted = maxPairs_;
-  while (most > static_cast<unsigned>(wanted / 2)) wanted *= 2;
+  while (maximum > static_cast<unsigned>(wanted / 2)) wanted *= 2;
   if (wanted > maxPairs_) {
     allocate(wanted);
     const unsigned none = 0;
-    control_.write(4 * mostPairsWord, std::as_bytes(std::span(&none, 1)));
+    control_.write(4 * pairLimitWord, std::as_bytes(std::span(&none, 1)));
     uploadSteps();
   }
   return enough;
@@ -164,7 +164,7 @@ ContactShared Contact::shared(int index) const {
 }
 
 ContactNearList Contact::nearList() const {
-  return {.corners = corners_, .nears = nears_, .tallies = tallies_.buffer(), .told = tallies_};
+  return {.corners = corners_, .nears = nears_, .tallies = tallies_.buffer(), .tallyTexels = tallies_};
 }
 
 void Contact::fit(const ContactShared& shared) const {
@@ -271,7 +271,7 @@ void Contact::hold(int index, std::span<const Part> parts) {
   const ContactShared given = shared(index);
   gl::barrier();
   forParts(parts, [&](const Part& part, const ContactRange& range, int count) {
-    take_.dispatch(count, {given, range, *part.next});
+    readBack_.dispatch(count, {given, range, *part.next});
   });
   for (int round = 0; round < holdRounds; ++round)
     dispatchIndirect(hold_, at::nearDispatch, {given, nearList(), round});

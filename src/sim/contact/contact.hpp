@@ -93,7 +93,7 @@ class Contact {
   gl::Kernel<ContactTallied> apply_;
   gl::Kernel<ContactStart> start_;
   gl::Kernel<ContactHand> hand_;
-  gl::Kernel<ContactTake> take_;
+  gl::Kernel<ContactReadBack> readBack_;
   gl::Kernel<ContactHold> hold_;
   gl::Kernel<ContactLeave> leave_;
 };

@@ -16,7 +16,7 @@ struct ContactNearList {
   gl::In<"corners"> corners;
   gl::InOut<"nears"> nears;
   gl::InOut<"TallyBlock"> tallies;
-  gl::In<"told"> told;  // Texel view of the tallies.
+  gl::In<"tallyTexels"> tallyTexels;  // Texel view of the tallies.
 };
 /// Index range of a part's vertices among all vertices.
 struct ContactRange {
@@ -52,7 +52,7 @@ struct ContactGather {
   gl::InOut<"TallyBlock"> tallies;
 };
 
-struct ContactTake {
+struct ContactReadBack {
   static constexpr auto file = "contact/take.comp";
   ContactShared shared;
   ContactRange range;

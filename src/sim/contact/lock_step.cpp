@@ -50,7 +50,7 @@ constinit const PortInfo ContactCloth::port = {
     .lacks = ", which is no cloth",
     .none = "give a \"cloth\" of this scene \"contact\": {}",
     .when = When::afterFrame,
-    .passedBy =
+    .skippedProviderText =
         "particles \"{}\" collide, but pass through cloth \"{}\", which has no contact; give the cloth "
         "\"contact\": true, or the particles \"cloths\": \"none\"",
 };

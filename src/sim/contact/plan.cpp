@@ -171,7 +171,7 @@ shader::ContactStep ContactPlan::step(bool first, int maxPairs) const {
   shader::ContactStep step{};
   step.perDt = static_cast<float>(1.0 / substepSeconds_);
   step.recovery = 0.2F;
-  step.mostRecovery = static_cast<float>(
+  step.maxRecovery = static_cast<float>(
       0.3 * substepSeconds_);  // Limits the speed at which overlaps are removed to 0.3 m/s.
   step.horizon = 8.0F;
   step.quanta = quanta_;

@@ -93,7 +93,7 @@ std::vector<glm::vec3> ContourParameters::colors() const {
 }
 
 void ContourParameters::ports(Ports& ports) const {
-  if (image.empty()) ports.mustWant<FieldSource>(field, {"field"});
+  if (image.empty()) ports.requireFrom<FieldSource>(field, {"field"});
   ports.provide<Walls>();
 }
 

@@ -256,9 +256,9 @@ bool Solid::grow() {
   if (!s.totals.wait()) return false;
   const shader::ContourDraw found = s.found();
   if (found.points <= s.pointRoom && found.indices <= s.indexRoom) return false;
-  const std::int64_t most = gl::limits().storageBlockBytes;
-  s.getRoom(grownRoom(found.points, s.pointRoom, (most / 16 - s.firstPoint()) / 4),
-            grownRoom(found.indices, s.indexRoom, most / 4));
+  const std::int64_t maximum = gl::limits().storageBlockBytes;
+  s.getRoom(grownRoom(found.points, s.pointRoom, (maximum / 16 - s.firstPoint()) / 4),
+            grownRoom(found.indices, s.indexRoom, maximum / 4));
   s.make();
   return true;
 }
@@ -270,7 +270,7 @@ Surface Solid::surface() const {
   surface.normals = &s.normalView;
   surface.vertexCount =
       static_cast<int>(s.firstPoint());  // The bounding box of these vertices contains all other vertices.
-  surface.vertexRoom = static_cast<int>(s.positions.bytes() / sizeof(glm::vec4));
+  surface.vertexCapacity = static_cast<int>(s.positions.bytes() / sizeof(glm::vec4));
   surface.indices = &s.indices;
   surface.indexCount = static_cast<int>(s.indexRoom);
   surface.arguments = &s.totals.draw();

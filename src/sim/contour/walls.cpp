@@ -17,14 +17,14 @@ constinit const PortInfo Walls::port = {
 Walls::Walls(std::string name, const Solid& solid, const glm::vec3& position, float grip)
     : name_(std::move(name)), solid_(&solid), position_(position), grip_(grip) {}
 
-void Walls::checkReach(const std::string& who, float margin) const {
+void Walls::checkReach(const std::string& objectName, float margin) const {
   const float widest = static_cast<float>(maxWallSquares) * solid_->shape().spacing;
   if (margin > widest)
     fail(
         ExitCode::usage,
         "\"{}\" has a \"margin\" of {} m, but the squares of \"{}\" are {:.4g} m wide and a margin reaches "
         "over {} of them at most; make it {:.4g} m or less",
-        who, margin, name_, solid_->shape().spacing, maxWallSquares, widest);
+        objectName, margin, name_, solid_->shape().spacing, maxWallSquares, widest);
 }
 
 WallPart Walls::part(const WallContact& contact) const {

@@ -46,7 +46,7 @@ class Walls {
   Walls(std::string name, const Solid& solid, const glm::vec3& position, float grip);
 
   /// Throws UserError(usage) if the margin (metres) covers more squares than the kernels support.
-  void checkReach(const std::string& who, float margin) const;
+  void checkReach(const std::string& objectName, float margin) const;
   /// Returns the inputs that kernels need to collide with the solid in its current state.
   [[nodiscard]] WallPart part(const WallContact& contact) const;
   [[nodiscard]] WallVariant variant() const;

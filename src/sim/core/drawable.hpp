@@ -40,8 +40,8 @@ struct Surface {
   /// Width and height of a vertex grid (x fastest); zero for a mesh. A grid computes its normals from
   /// neighbouring vertices and its UVs as (x/(W-1), y/(H-1)).
   glm::ivec2 grid{0, 0};
-  int vertexCount = 0;  ///< Number of leading vertices whose bounding box encloses all vertices.
-  int vertexRoom = 0;   ///< Maximum number of vertices, if larger than `vertexCount`.
+  int vertexCount = 0;     ///< Number of leading vertices whose bounding box encloses all vertices.
+  int vertexCapacity = 0;  ///< Maximum number of vertices, if larger than `vertexCount`.
   /// Set if `positions` holds grid texels with a height component instead of vertex positions.
   const GridHeights* heights = nullptr;
   const gl::Buffer* indices = nullptr;  ///< Triangle indices of 32 bits each.
@@ -72,7 +72,7 @@ struct Surface {
   /// change.
   unsigned still = 0;
   /// Time (seconds) of the object's last jump along its keyframes (Simulation::jumpedBy).
-  double jumped = -std::numeric_limits<double>::infinity();
+  double lastJumpSeconds = -std::numeric_limits<double>::infinity();
   const scene::Material* material = nullptr;
 };
 
@@ -206,7 +206,7 @@ struct Place {
   const std::string* object = nullptr;  ///< Name of the object in the scene.
   glm::vec3 middle{0};                  ///< Position of the centre in metres.
   /// Time (seconds) of the object's last jump along its keyframes.
-  double jumped = -std::numeric_limits<double>::infinity();
+  double lastJumpSeconds = -std::numeric_limits<double>::infinity();
 };
 
 /// Everything that simulations publish for drawing: one list per kind of drawable, each drawn by its own
@@ -222,7 +222,7 @@ struct Drawables {
                                    ///< there is none.
   /// Damped camera state, positions in metres: first the target, if it lags behind the scene's target
   /// (scene::Camera::damping, scene::Follow::damping), then the eye, if the eye lags too.
-  std::vector<glm::vec3> lagging = {};
+  std::vector<glm::vec3> dampedCamera = {};
 };
 
 }  // namespace simreel::sim

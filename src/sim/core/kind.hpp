@@ -12,11 +12,11 @@ struct ObjectParameters : scene::Parameters {
   /// Declares what the object provides to other objects of the scene and what it takes from them.
   virtual void ports(Ports& /*ports*/) const {}
   /// Returns true if the object's motion is known only after simulating it.
-  [[nodiscard]] virtual bool wanders() const { return false; }
+  [[nodiscard]] virtual bool motionIsUnpredictable() const { return false; }
   /// Returns a lower bound, from the parameters alone, of the size in bytes of the largest single buffer.
   /// commonBlockBytes is the maximum buffer size of software drivers (llvmpipe of Mesa 22) and small
   /// graphics cards.
-  [[nodiscard]] virtual std::int64_t leastBlockBytes() const { return 0; }
+  [[nodiscard]] virtual std::int64_t minLargestBufferBytes() const { return 0; }
   static constexpr std::int64_t commonBlockBytes = std::int64_t{128} << 20;
 };
 

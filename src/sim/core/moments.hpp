@@ -14,7 +14,7 @@ namespace simreel::sim {
 /// Sample times (seconds, ascending) that cover the whole motion of a keyframed object. They include each
 /// keyframe, the moment just before each jump, and enough times between rotation keys (degrees) that no
 /// corner moves more than 1% of its radius beyond the sampled positions.
-class Moments {
+class SampleTimes {
  public:
   template <class T>
   void add(const scene::Animated<T>& value) {
@@ -30,13 +30,13 @@ class Moments {
     const auto& keys = rotation.keys();
     for (std::size_t i = 1; i < keys.size(); ++i) {
       const glm::vec3 turn = keys[i].value - keys[i - 1].value;
-      const float most = std::max({std::abs(turn.x), std::abs(turn.y), std::abs(turn.z)});
+      const float maximum = std::max({std::abs(turn.x), std::abs(turn.y), std::abs(turn.z)});
       // The maximum number of samples is prime, so that samples of several full turns do not all fall on
       // the same few angles.
-      constexpr float degrees = 16, looks = 23;
-      const int parts = static_cast<int>(std::clamp(std::ceil(most / degrees), 1.0F, looks));
-      for (int k = 1; k < parts; ++k)
-        seconds_.push_back(keys[i - 1].time + (keys[i].time - keys[i - 1].time) * k / parts);
+      constexpr float degrees = 16, samples = 23;
+      const int intervals = static_cast<int>(std::clamp(std::ceil(maximum / degrees), 1.0F, samples));
+      for (int k = 1; k < intervals; ++k)
+        seconds_.push_back(keys[i - 1].time + (keys[i].time - keys[i - 1].time) * k / intervals);
     }
   }
   [[nodiscard]] std::vector<double> all() const {
@@ -54,7 +54,7 @@ class Moments {
 inline std::vector<double> momentsOf(const scene::Animated<glm::vec3>& position,
                                      const scene::Animated<glm::vec3>& rotation,
                                      const scene::Animated<float>& scale = 1.0F) {
-  Moments moments;
+  SampleTimes moments;
   moments.add(position);
   moments.addRotation(rotation);
   if (scale.moves()) moments.add(scale);

@@ -50,7 +50,7 @@ struct PortInfo {
   const char* missing = nullptr;
   /// Warning for an object that takes from all providers, about another object that could provide the port
   /// but does not. The two {} are the names of both objects.
-  const char* passedBy = nullptr;
+  const char* skippedProviderText = nullptr;
   /// Appends to `parts` the parts that `provider` provides without declaring them. Returns true if
   /// `provider` provides the port in this way.
   bool (*implied)(const scene::Object& provider, std::vector<std::string>& parts) = nullptr;
@@ -105,7 +105,7 @@ class Ports {
   }
   /// Takes T from the named object. An empty name is an error.
   template <class T>
-  void mustWant(const std::string& name, std::vector<std::string> path, When when = T::port.when) {
+  void requireFrom(const std::string& name, std::vector<std::string> path, When when = T::port.when) {
     wants.push_back({&T::port, name, std::move(path), when});
   }
   /// Takes T from every object that provides it. If `needed` is true, at least one provider is required.
@@ -136,7 +136,7 @@ class StepGroup {
 };
 
 /// State of a step group (Ports::join): whether it exists, and its number of steps.
-struct Together {
+struct GroupState {
   bool led = false;  ///< True if an object of the scene leads the group.
   int steps = 0;     ///< Steps per frame: the maximum of all members' step counts; 0 if each member uses
                      ///< its own step count.
@@ -151,7 +151,7 @@ class Links {
   [[nodiscard]] virtual void* find(const PortInfo& port, std::string_view object) const = 0;
   /// Returns the outlets of all objects for a port, in step order.
   [[nodiscard]] virtual std::vector<void*> all(const PortInfo& port) const = 0;
-  [[nodiscard]] virtual Together together(const PortInfo& port) const = 0;
+  [[nodiscard]] virtual GroupState together(const PortInfo& port) const = 0;
   /// Returns the simulation of an object; null until it is created.
   [[nodiscard]] virtual const Simulation* simulation(std::string_view object) const = 0;
   [[nodiscard]] virtual const scene::Object* declared(std::string_view object) const = 0;

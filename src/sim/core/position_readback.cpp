@@ -6,7 +6,7 @@
 
 namespace simreel::sim {
 
-bool takeFence(GLsync& fence, bool waiting) {
+bool pollFence(GLsync& fence, bool waiting) {
   if (fence == nullptr) return true;
   constexpr GLuint64 second = 1'000'000'000;
   GLenum state = glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, waiting ? second : 0);
@@ -30,7 +30,7 @@ PositionReadback::~PositionReadback() {
 bool PositionReadback::takeOldest(bool waiting) {
   if (count_ == 0) return false;
   Slot& slot = slots_[oldest_];
-  if (!takeFence(slot.done, waiting)) return false;
+  if (!pollFence(slot.done, waiting)) return false;
   newest_.resize(slot.buffer.bytes() / sizeof(glm::vec4));
   std::memcpy(newest_.data(), slot.buffer.memory(), slot.buffer.bytes());
   oldest_ = (oldest_ + 1) % slots_.size();

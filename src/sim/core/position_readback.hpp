@@ -43,6 +43,6 @@ class PositionReadback {
 
 /// If the fence is signalled, deletes it, sets it to null and returns true. If `waiting` is true, blocks
 /// until the fence is signalled; otherwise only polls.
-bool takeFence(GLsync& fence, bool waiting);
+bool pollFence(GLsync& fence, bool waiting);
 
 }  // namespace simreel::sim

@@ -48,8 +48,8 @@ struct Setting {
     return object.empty() ? nullptr : &links->of<T>(object);
   }
   template <class T>
-  [[nodiscard]] Together together() const {
-    return links == nullptr ? Together{} : links->together(T::port);
+  [[nodiscard]] GroupState together() const {
+    return links == nullptr ? GroupState{} : links->together(T::port);
   }
 };
 
@@ -120,12 +120,12 @@ class Simulation {
   /// Advances by one frame: from `time` to `time + frameSeconds` (seconds of scene time).
   virtual void step(double time, const StepWatch& watch) = 0;
   /// Advances by one frame that is not drawn. Afterwards only the data that later frames depend on
-  /// (carryOver) is valid; resumed() or the next step makes the remaining data valid.
+  /// (visitCheckpointData) is valid; resumed() or the next step makes the remaining data valid.
   virtual void pass(double time) { step(time, {}); }
   /// Visits the data that the next frame depends on and that scene and time do not determine, to save or
   /// restore it.
-  virtual void carryOver(CarryOver& /*carry*/) {}
-  /// Rebuilds the derived state at `time` after carryOver() restored data or after pass().
+  virtual void visitCheckpointData(CarryOver& /*carry*/) {}
+  /// Rebuilds the derived state at `time` after visitCheckpointData() restored data or after pass().
   virtual void resumed(double /*time*/) {}
   /// Returns the number of steps per frame, which is also the number of StepWatch calls per frame.
   [[nodiscard]] virtual int stepsPerFrame() const { return 1; }

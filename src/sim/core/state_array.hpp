@@ -34,9 +34,9 @@ struct StateArray {
     static_assert(std::is_trivially_copyable_v<T>);
     if (planes.count == 0) return buffer->readAll<T>();
     const auto each = static_cast<std::size_t>(planes.elements);
-    std::vector<std::uint32_t> apart(each * static_cast<std::size_t>(planes.count)), words(4 * each);
-    buffer->read(planes.part.offset, std::as_writable_bytes(std::span(apart)));
-    for (std::size_t i = 0; i < apart.size(); ++i) words[4 * (i % each) + i / each] = apart[i];
+    std::vector<std::uint32_t> planeWords(each * static_cast<std::size_t>(planes.count)), words(4 * each);
+    buffer->read(planes.part.offset, std::as_writable_bytes(std::span(planeWords)));
+    for (std::size_t i = 0; i < planeWords.size(); ++i) words[4 * (i % each) + i / each] = planeWords[i];
     std::vector<T> items(4 * words.size() / sizeof(T));
     std::memcpy(items.data(), words.data(), items.size() * sizeof(T));
     return items;

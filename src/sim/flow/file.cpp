@@ -15,28 +15,28 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostSide = 4096;
+constexpr int sideLimit = 4096;
 
 [[noreturn]] void broken(const std::string& name, const std::string& why) {
   fail(ExitCode::usage, "{}: {}", name, why);
 }
 
 void checkSize(const std::string& name, glm::ivec2 size) {
-  if (size.x < 2 || size.y < 2 || size.x > mostSide || size.y > mostSide)
+  if (size.x < 2 || size.y < 2 || size.x > sideLimit || size.y > sideLimit)
     broken(name, fmt::format("a grid of {} x {} velocities; a flow needs 2 to {} on each side", size.x,
-                             size.y, mostSide));
+                             size.y, sideLimit));
 }
 
 /// Evenly spaced coordinates of the grid lines along one axis.
 struct Lines {
-  double first = 0, apart = 1;
+  double first = 0, spacing = 1;
   int count = 0;
 
   /// Returns the index of the grid line at the coordinate `place`, or -1 if none exists.
   [[nodiscard]] int at(double place) const {
-    const double index = std::round((place - first) / apart);
+    const double index = std::round((place - first) / spacing);
     constexpr double slack = 0.02;
-    return std::abs(first + index * apart - place) <= slack * apart ? static_cast<int>(index) : -1;
+    return std::abs(first + index * spacing - place) <= slack * spacing ? static_cast<int>(index) : -1;
   }
 };
 
@@ -52,7 +52,7 @@ Lines linesOf(std::vector<double> places, const char* axis, const std::string& n
   Lines lines{places.front(), 1, static_cast<int>(places.size())};
   if (places.size() < 2)
     broken(name, fmt::format("all points have the same {}; a flow needs a grid of points", axis));
-  lines.apart = span / (lines.count - 1);
+  lines.spacing = span / (lines.count - 1);
   for (std::size_t i = 0; i < places.size(); ++i)
     if (lines.at(places[i]) != static_cast<int>(i))
       broken(name,
@@ -80,11 +80,11 @@ FlowGrid gridOfPoints(const KernelTable& table, const std::string& name) {
     ys.push_back(value(i, 1));
   }
   const Lines across = linesOf(xs, "x", name), along = linesOf(ys, "y", name);
-  FlowGrid grid{{across.count, along.count}, static_cast<float>(across.apart), {}};
+  FlowGrid grid{{across.count, along.count}, static_cast<float>(across.spacing), {}};
   checkSize(name, grid.size);
-  if (std::abs(across.apart - along.apart) > 0.01 * across.apart)
+  if (std::abs(across.spacing - along.spacing) > 0.01 * across.spacing)
     broken(name, fmt::format("points are {:g} apart in x and {:g} in y; a flow needs square cells",
-                             across.apart, along.apart));
+                             across.spacing, along.spacing));
   const std::size_t cells = static_cast<std::size_t>(grid.size.x) * static_cast<std::size_t>(grid.size.y);
   std::vector<bool> filled(cells);
   grid.values.resize(cells);
@@ -104,8 +104,8 @@ FlowGrid gridOfPoints(const KernelTable& table, const std::string& name) {
     const std::size_t column = hole % perRow;
     const std::size_t row = static_cast<std::size_t>(along.count) - 1 - hole / perRow;
     broken(name, fmt::format("the point x = {:g}, y = {:g} of the grid has no velocity; give it 0, 0",
-                             across.first + across.apart * static_cast<double>(column),
-                             along.first + along.apart * static_cast<double>(row)));
+                             across.first + across.spacing * static_cast<double>(column),
+                             along.first + along.spacing * static_cast<double>(row)));
   }
   return grid;
 }

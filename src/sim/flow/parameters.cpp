@@ -104,9 +104,9 @@ FlowGrid FlowParameters::gridOfExpressions() const {
 
 FlowGrid FlowParameters::grid() const {
   FlowGrid grid = file.empty() ? gridOfExpressions() : gridOfFile();
-  constexpr double most = 1e6;
+  constexpr double maximum = 1e6;
   for (std::size_t i = 0; i < grid.values.size(); ++i)
-    if (!(std::abs(grid.values[i].x) <= most && std::abs(grid.values[i].y) <= most)) {
+    if (!(std::abs(grid.values[i].x) <= maximum && std::abs(grid.values[i].y) <= maximum)) {
       const auto width = static_cast<std::size_t>(grid.size.x);
       fail(ExitCode::usage,
            "the velocity of column {}, row {} is not a number or above 1e6 m/s; give every point a "

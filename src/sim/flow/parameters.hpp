@@ -14,7 +14,7 @@
 namespace simreel::sim {
 
 /// Parameters of the object kind "flow": velocities that are constant in time.
-struct FlowParameters : ObjectParameters, scene::Papered {
+struct FlowParameters : ObjectParameters, scene::HasFieldSkin {
   enum class Rows { down, up };
   enum class Show { speed, none };
   std::filesystem::path file;  ///< npy or CSV file of velocities; if empty, `u` and `v` are used

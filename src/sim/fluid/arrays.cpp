@@ -16,7 +16,7 @@ struct FluidGather {
   };
   gl::Uniform<"planes", int> planes;
   gl::Uniform<"elements", int> elements;
-  gl::InOut<"PlaneBlock"> apart;
+  gl::InOut<"PlaneBlock"> planeWords;
   gl::InOut<"ElementBlock"> together;
 };
 
@@ -78,7 +78,7 @@ const FluidArray& FluidArrays::shown() const {
   return spare().part().offset == 0 ? free_[0] : free_[1];
 }
 
-void FluidArrays::turnFlow(bool withScratch) {
+void FluidArrays::swapFlow(bool withScratch) {
   SIMREEL_CHECK(alike());
   std::swap(flow_, withScratch ? scratch_ : spare_);
 }
@@ -90,12 +90,12 @@ StateArray FluidArrays::stateOf(int array, const char* name, int planes) const {
   return state;
 }
 
-void FluidArrays::carryOver(CarryOver& carry) {
-  carryOver(carry, flow_, "flow", 4);
-  carryOver(carry, dye_, "dye", 3);
+void FluidArrays::visitCheckpointData(CarryOver& carry) {
+  visitCheckpointData(carry, flow_, "flow", 4);
+  visitCheckpointData(carry, dye_, "dye", 3);
 }
 
-void FluidArrays::carryOver(CarryOver& carry, int array, const char* name, int planes) {
+void FluidArrays::visitCheckpointData(CarryOver& carry, int array, const char* name, int planes) {
   if (texels_) return carry.array(name, buffers_[array]);
   if (!gather_) {
     gather_ = gl::Kernel<FluidGather>(gl::kernelDefines(false));

@@ -44,7 +44,7 @@ class FluidArrays {
 
   /// Returns true if all arrays have the same layout and size, so that flow and dye can be in any of them.
   [[nodiscard]] bool alike() const { return texels_; }
-  void turnFlow(bool withScratch);  ///< Swaps flow with scratch if `withScratch` is true, otherwise with
+  void swapFlow(bool withScratch);  ///< Swaps flow with scratch if `withScratch` is true, otherwise with
                                     ///< spare.
   void turnDye() { std::swap(dye_, spare_); }
   /// Returns the offset in floats, from the start of scratch, of a plane with one float per cell. The plane
@@ -57,11 +57,11 @@ class FluidArrays {
   [[nodiscard]] int cellWords() const { return texels_ ? 4 : 1; }
   [[nodiscard]] int floatWords() const { return texels_ ? 1 : elements_; }
   /// Visits flow and dye. In files, the elements are consecutive on every memory path.
-  void carryOver(CarryOver& carry);
+  void visitCheckpointData(CarryOver& carry);
 
  private:
   [[nodiscard]] StateArray stateOf(int array, const char* name, int planes) const;
-  void carryOver(CarryOver& carry, int array, const char* name, int planes);
+  void visitCheckpointData(CarryOver& carry, int array, const char* name, int planes);
 
   bool texels_;
   int elements_, planeBesideSums_ = 0;

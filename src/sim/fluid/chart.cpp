@@ -85,7 +85,7 @@ void FluidChart::add(std::span<const double> measured) {
   rows_.buffer().write(static_cast<std::size_t>(done_++) * 16, std::as_bytes(std::span(&row, 1)));
 }
 
-void FluidChart::carryOver(CarryOver& carry) {
+void FluidChart::visitCheckpointData(CarryOver& carry) {
   const int room = room_;
   carry.number("charted frames", done_);
   carry.number("room for charted frames", room_);

@@ -38,7 +38,7 @@ class FluidChart {
   FluidChart(const std::string& name, const FluidChartParameters& parameters, double frameSeconds);
   /// Adds a frame. `measured`: values in the order of FluidParameters::quantities().
   void add(std::span<const double> measured);
-  void carryOver(CarryOver& carry);
+  void visitCheckpointData(CarryOver& carry);
   void publish(Drawables& drawables) const;
   [[nodiscard]] const gl::Buffer& rows() const { return rows_.buffer(); }
   [[nodiscard]] int frames() const { return done_; }

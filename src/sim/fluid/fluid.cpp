@@ -97,12 +97,12 @@ class Fluid : public Simulation {
     }
   }
 
-  void carryOver(CarryOver& carry) override {
-    kernels_.arrays().carryOver(carry);
+  void visitCheckpointData(CarryOver& carry) override {
+    kernels_.arrays().visitCheckpointData(carry);
     carry.array("solver", kernels_.pressure().control());
     carry.number("steps", steps_);
-    if (plan_.parameters().tracers) tracers_.carryOver(carry);
-    if (plan_.parameters().chart) chart_.carryOver(carry);
+    if (plan_.parameters().tracers) tracers_.visitCheckpointData(carry);
+    if (plan_.parameters().chart) chart_.visitCheckpointData(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays = {kernels_.arrays().flowState(), kernels_.arrays().dyeState()};

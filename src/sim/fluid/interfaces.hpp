@@ -145,7 +145,7 @@ struct FluidPaintBack {
 
 /// Part of a kernel interface: members common to the kernels that compute the displayed values from the
 /// state.
-struct FluidShowPart {
+struct FluidDisplayPart {
   FluidPart part;
   gl::Uniform<"stopCount", int> stopCount;
   gl::Uniform<"low", float> low;
@@ -156,9 +156,9 @@ struct FluidShowPart {
   gl::Out<"shown"> shown;
 };
 
-struct FluidShow {
+struct FluidDisplay {
   static constexpr auto file = "fluid/look/show.comp";
-  FluidShowPart part;
+  FluidDisplayPart part;
   gl::Uniform<"brightness", float> brightness;
   gl::Uniform<"paper", glm::vec3> paper;
   gl::In<"dye"> dye;
@@ -166,7 +166,7 @@ struct FluidShow {
 
 struct FluidLines {
   static constexpr auto file = "fluid/look/lines.comp";
-  FluidShowPart part;
+  FluidDisplayPart part;
   gl::Uniform<"lineDetail", int> lineDetail;
   gl::Uniform<"linePerDetail", float> linePerDetail;
   gl::Uniform<"linePhase", float> linePhase;

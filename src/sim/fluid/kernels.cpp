@@ -117,10 +117,10 @@ FluidKernels::FluidKernels(const std::string& name, const FluidPlan& plan, bool 
 void FluidKernels::makeShowing(const std::string& name, const gl::Defines& defines) {
   const FluidParameters& p = plan_.parameters();
   if (p.show != FluidParameters::Show::lines) {
-    show_ = gl::Kernel<FluidShow>(defines);
+    display_ = gl::Kernel<FluidDisplay>(defines);
     return;
   }
-  showLines_ = gl::Kernel<FluidLines>(defines);
+  displayLines_ = gl::Kernel<FluidLines>(defines);
   lines_ = gl::Vec4Array(name + " lines", p.size.x * p.size.y * p.lineDetail * p.lineDetail);
   lineWords_ = gl::Texture::view(name + " lines", GL_RGBA32UI, lines_.buffer());
 }
@@ -186,7 +186,7 @@ void FluidKernels::paint(double time, int step, bool all) {
                                                    .nextDye = arrays_.spare().resource()});
   }
   if (all && arrays_.alike()) {
-    arrays_.turnFlow(true);
+    arrays_.swapFlow(true);
     arrays_.turnDye();
     return;
   }
@@ -228,7 +228,7 @@ void FluidKernels::project(unsigned number) {
     runOthers(project_.others, given);
     runOpen(project_.open, given);
   }
-  if (gl::memoryPath() == gl::MemoryPath::texel) arrays_.turnFlow(false);
+  if (gl::memoryPath() == gl::MemoryPath::texel) arrays_.swapFlow(false);
   pressure_.judge(status_);
 }
 
@@ -358,22 +358,22 @@ void FluidKernels::prepareDrawing(double time) {
   const FluidParameters& p = plan_.parameters();
   const bool lines = p.show == FluidParameters::Show::lines;
   step_ = 0;
-  const FluidShowPart given = {.part = part(),
-                               .stopCount = static_cast<int>(p.display.colors().size()),
-                               .low = static_cast<float>(p.display.low),
-                               .perRange = static_cast<float>(1 / (p.display.high - p.display.low)),
-                               .obstacleColor = p.obstacleColor,
-                               .flow = arrays_.flow().resource(),
-                               .stops = stops_,
-                               .shown = lines ? gl::Resource(lines_) : arrays_.shown().resource()};
+  const FluidDisplayPart given = {.part = part(),
+                                  .stopCount = static_cast<int>(p.display.colors().size()),
+                                  .low = static_cast<float>(p.display.low),
+                                  .perRange = static_cast<float>(1 / (p.display.high - p.display.low)),
+                                  .obstacleColor = p.obstacleColor,
+                                  .flow = arrays_.flow().resource(),
+                                  .stops = stops_,
+                                  .shown = lines ? gl::Resource(lines_) : arrays_.shown().resource()};
   if (lines)
-    showLines_.dispatch(plan_.size() * p.lineDetail,
-                        {.part = given,
-                         .lineDetail = p.lineDetail,
-                         .linePerDetail = 1.0F / static_cast<float>(p.lineDetail),
-                         .linePhase = plan_.linePhase(time)});
+    displayLines_.dispatch(plan_.size() * p.lineDetail,
+                           {.part = given,
+                            .lineDetail = p.lineDetail,
+                            .linePerDetail = 1.0F / static_cast<float>(p.lineDetail),
+                            .linePhase = plan_.linePhase(time)});
   else
-    show_.dispatch(
+    display_.dispatch(
         plan_.size(),
         {.part = given, .brightness = p.brightness, .paper = p.paper, .dye = arrays_.dye().resource()});
   gl::barrier();

@@ -20,7 +20,7 @@ struct FluidCorrect;
 struct FluidFastest;
 struct FluidPaint;
 struct FluidPaintBack;
-struct FluidShow;
+struct FluidDisplay;
 struct FluidLines;
 struct FluidProject;
 struct FluidDyePass;
@@ -110,8 +110,8 @@ class FluidKernels {
   gl::Kernel<FluidFastest> fastest_;
   gl::Kernel<FluidPaint> paint_;
   gl::Kernel<FluidPaintBack> paintBack_;
-  gl::Kernel<FluidShow> show_;
-  gl::Kernel<FluidLines> showLines_;
+  gl::Kernel<FluidDisplay> display_;
+  gl::Kernel<FluidLines> displayLines_;
   Tiled<FluidProject> project_;  ///< Projection kernels; on the storage path only `others` is created.
   Tiled<FluidDyePass> moveDye_;
   // Kernels for the storage path. dyeStrips_[0] computes one pass of dye advection, dyeStrips_[1] two

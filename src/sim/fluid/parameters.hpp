@@ -112,7 +112,7 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering, scene
   }
   [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   void ports(Ports& ports) const override;
-  [[nodiscard]] std::int64_t leastBlockBytes() const override {
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
     return std::int64_t{16} * (size.x + 2) * (size.y + 2);
   }
   /// Names of the additional fields, published as OBJECT.PART.

@@ -72,9 +72,9 @@ void PictureDistances::measure(std::vector<double> field) {
       const double b = std::min(crossing(x, y - 1), crossing(x, y + 1));
       if (a >= unknown && b >= unknown) continue;
       known[index(x, y)] = true;
-      const double least = std::min(a, b);
+      const double minimum = std::min(a, b);
       d[index(x, y)] =
-          a >= unknown || b >= unknown || least == 0 ? least : a * b / std::sqrt(a * a + b * b);
+          a >= unknown || b >= unknown || minimum == 0 ? minimum : a * b / std::sqrt(a * a + b * b);
     }
   const auto visit = [&](int x, int y) {
     if (known[index(x, y)]) return;

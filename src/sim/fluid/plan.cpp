@@ -16,9 +16,9 @@ namespace {
 constexpr double maxDiffusion = 0.2;
 
 double greatest(const scene::Animated<float>& value) {
-  double most = 0;
-  for (const auto& key : value.keys()) most = std::max<double>(most, key.value);
-  return most;
+  double maximum = 0;
+  for (const auto& key : value.keys()) maximum = std::max<double>(maximum, key.value);
+  return maximum;
 }
 
 std::vector<StrokeParameters> plainStrokes(const std::vector<FluidStroke>& strokes) {

@@ -54,7 +54,7 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
       decide_(defines),
       judge_(defines, {.judge = true}),
       firstCoarse_(levels_.levels().size() - 1),
-      mostSpeed_(plan.parameters().speed),
+      maxSpeed_(plan.parameters().speed),
       firstDown_(firstCoarse_),
       firstUp_(firstCoarse_),
       tilesStart_(plan.solidsAt(0, 0)->tilesStart()) {
@@ -75,19 +75,19 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
 }
 
 void FluidPressure::makeCoarse(const FluidPlan& plan, const gl::Defines& defines) {
-  constexpr int most = 64;  // Maximum number of cells along each side of a level that coarse_ processes.
+  constexpr int maximum = 64;  // Maximum number of cells along each side of a level that coarse_ processes.
   const std::vector<FluidLevel>& levels = levels_.levels();
   const FluidParameters& p = plan.parameters();
   const auto fits = [&](const FluidLevel& level) {
     const bool odd = (p.wrapsX() && level.cells.x % 2 == 1) || (p.wrapsY() && level.cells.y % 2 == 1);
-    return level.cells.x <= most && level.cells.y <= most && !odd;
+    return level.cells.x <= maximum && level.cells.y <= maximum && !odd;
   };
   std::size_t first = levels.size();
   while (first > 0 && fits(levels[first - 1])) --first;
   if (first == levels.size()) return;
   firstCoarse_ = firstDown_ = firstUp_ = first;
   coarse_ = gl::Kernel<FluidCoarse>(defines, {.subgroups = gl::limits().shuffle32});
-  coarseLevels_ = placesFrom(first, levels.size() - first, FluidCoarse::most);
+  coarseLevels_ = placesFrom(first, levels.size() - first, FluidCoarse::maximum);
   int cells = 0;
   for (std::size_t i = first; i < levels.size(); ++i) {
     coarseLevels_[i - first].w = cells;
@@ -107,16 +107,16 @@ std::vector<glm::ivec4> FluidPressure::placesFrom(std::size_t first, std::size_t
 
 // On the way to coarser levels, the windows grow with each level, so down_ can merge fewer levels than up_.
 void FluidPressure::makeMiddle(const gl::Defines& defines) {
-  const auto make = [&](auto& kernel, std::size_t most, std::size_t& from,
+  const auto make = [&](auto& kernel, std::size_t maximum, std::size_t& from,
                         std::vector<glm::ivec4>& places) {
-    const std::size_t count = std::min(firstCoarse_, most);
+    const std::size_t count = std::min(firstCoarse_, maximum);
     if (count == 0) return;
     from = firstCoarse_ - count;
     kernel = std::remove_cvref_t<decltype(kernel)>(defines, {.levels = static_cast<int>(count)});
-    places = placesFrom(from, count + 1, most + 1);
+    places = placesFrom(from, count + 1, maximum + 1);
   };
-  make(down_, FluidDown::most, firstDown_, downLevels_);
-  make(up_, FluidUp::most, firstUp_, upLevels_);
+  make(down_, FluidDown::maximum, firstDown_, downLevels_);
+  make(up_, FluidUp::maximum, firstUp_, upLevels_);
 }
 
 bool FluidPressure::joins(std::size_t level) const {
@@ -233,7 +233,7 @@ FluidDecide FluidPressure::decision(const gl::Buffer& status, bool first, float 
   return {.dispatches = static_cast<int>(groups_.size()) / 3,
           .first = first ? 1 : 0,
           .tolerance = tolerance,
-          .mostSpeed = mostSpeed_,
+          .maxSpeed = maxSpeed_,
           .status = status,
           .control = control_};
 }

@@ -120,7 +120,7 @@ class FluidPressure {
                                     ///< dispatch.
   gl::Kernel<FluidUp> up_;
   std::vector<glm::ivec4> coarseLevels_, downLevels_, upLevels_;
-  float mostSpeed_;
+  float maxSpeed_;
   std::size_t firstDown_, firstUp_;
   std::optional<gl::Condition> condition_;  ///< Condition that skips the cycles that are rarely needed.
   int tilesStart_;

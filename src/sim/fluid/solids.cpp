@@ -14,7 +14,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr double far = 8;  ///< Maximum distance in cells; larger distances are clamped to it.
-constexpr double leastOpening =
+constexpr double minOpening =
     1 / 16.0;  ///< Minimum open fraction of a face; a face with a smaller opening is closed.
 
 /// Obstacle at its position at a given time.
@@ -63,7 +63,7 @@ double openShare(double a, double b) {
   if (a > 0 && b > 0) return 1;
   if (a <= 0 && b <= 0) return 0;
   const double share = std::max(a, b) / (std::max(a, b) - std::min(a, b));
-  return share < leastOpening ? 0 : share;
+  return share < minOpening ? 0 : share;
 }
 
 }  // namespace
@@ -86,9 +86,9 @@ struct FluidSolids::Nearest {
 
   void add(const PlacedObstacle& obstacle, std::uint8_t number) {
     const double reach = obstacle.reach() + far;
-    const glm::dvec2 most = glm::dvec2(size);
-    const glm::ivec2 from = glm::clamp(glm::floor(obstacle.center() - reach), glm::dvec2(0), most);
-    const glm::ivec2 to = glm::clamp(glm::ceil(obstacle.center() + reach), glm::dvec2(0), most);
+    const glm::dvec2 maximum = glm::dvec2(size);
+    const glm::ivec2 from = glm::clamp(glm::floor(obstacle.center() - reach), glm::dvec2(0), maximum);
+    const glm::ivec2 to = glm::clamp(glm::ceil(obstacle.center() + reach), glm::dvec2(0), maximum);
     for (int y = from.y; y <= to.y; ++y)
       for (int x = from.x; x <= to.x; ++x) {
         corner(x, y) = std::min(corner(x, y), obstacle.distance({x, y}));

@@ -67,18 +67,19 @@ struct FluidDecide {
   gl::Uniform<"dispatches", int> dispatches;
   gl::Uniform<"first", int> first;
   gl::Uniform<"tolerance", float> tolerance;
-  gl::Uniform<"mostSpeed", float> mostSpeed;
+  gl::Uniform<"maxSpeed", float> maxSpeed;
   gl::InOut<"StatusBlock"> status;
   gl::InOut<"ControlBlock"> control;
 };
 
 struct FluidCoarse {
   static constexpr auto file = "fluid/solver/coarse.comp";
-  static constexpr std::size_t most = 4;  // Maximum number of multigrid levels that coarse.comp processes.
+  static constexpr std::size_t maximum =
+      4;  // Maximum number of multigrid levels that coarse.comp processes.
   struct Variant {
     gl::Flag<"SUBGROUPS"> subgroups;
   };
-  gl::Uniforms<"levels", glm::ivec4, most> levels;
+  gl::Uniforms<"levels", glm::ivec4, maximum> levels;
   gl::Uniform<"levelCount", int> levelCount;
   gl::Uniform<"rhsStart", int> rhsStart;
   gl::Uniform<"upStart", int> upStart;
@@ -89,11 +90,11 @@ struct FluidCoarse {
 
 struct FluidDown {
   static constexpr auto file = "fluid/solver/down.comp";
-  static constexpr std::size_t most = 3;  // Maximum number of multigrid levels that down.comp processes.
+  static constexpr std::size_t maximum = 3;  // Maximum number of multigrid levels that down.comp processes.
   struct Variant {
-    gl::Range<"LEVELS", 1, most> levels;
+    gl::Range<"LEVELS", 1, maximum> levels;
   };
-  gl::Uniforms<"levels", glm::ivec4, most + 1> levels;
+  gl::Uniforms<"levels", glm::ivec4, maximum + 1> levels;
   gl::Uniform<"rhsStart", int> rhsStart;
   gl::Uniform<"wayStart", int> wayStart;
   gl::In<"PoolBlock"> pool;
@@ -104,11 +105,11 @@ struct FluidDown {
 
 struct FluidUp {
   static constexpr auto file = "fluid/solver/up.comp";
-  static constexpr std::size_t most = 4;  // Maximum number of multigrid levels that up.comp processes.
+  static constexpr std::size_t maximum = 4;  // Maximum number of multigrid levels that up.comp processes.
   struct Variant {
-    gl::Range<"LEVELS", 1, most> levels;
+    gl::Range<"LEVELS", 1, maximum> levels;
   };
-  gl::Uniforms<"levels", glm::ivec4, most + 1> levels;
+  gl::Uniforms<"levels", glm::ivec4, maximum + 1> levels;
   gl::Uniform<"rhsStart", int> rhsStart;
   gl::Uniform<"wayStart", int> wayStart;
   gl::In<"PoolBlock"> pool;

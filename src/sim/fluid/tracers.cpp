@@ -34,7 +34,7 @@ struct TrailFade {
   gl::InOut<"TrailBlock"> trail;
 };
 
-struct TrailShow {
+struct TrailDisplay {
   static constexpr auto file = "fluid/tracers/trail_show.comp";
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"color", glm::vec3> color;
@@ -87,19 +87,19 @@ Tracers::Tracers(const std::string& name, const TracerParameters& parameters, co
       size_(wind.grid().size),
       step_(step),
       kept_(trailKept(parameters, frameSeconds)) {
-  const std::int64_t most =
+  const std::int64_t maximum =
       std::min<std::int64_t>(gl::limits().storageBlockBytes / 16, gl::limits().texelBufferTexels);
-  if (parameters.count > most)
+  if (parameters.count > maximum)
     fail(ExitCode::device,
          "fluid \"{}\": {} tracers are more than the {} that one buffer of this device holds; lower "
          "\"count\"",
-         name, parameters.count, most);
+         name, parameters.count, maximum);
   tracers_ = gl::Vec4Array(name + " tracers", parameters.count);
   solid_ = gl::WordsArray(name + " solid cells", solidBits(solid));
   trail_ = gl::WordsArray(name + " trail", (size_.x * size_.y + 3) / 4);
   const gl::Defines defines = gl::kernelDefines(fast);
   fade_ = gl::Kernel<TrailFade>(defines);
-  show_ = gl::Kernel<TrailShow>(defines);
+  display_ = gl::Kernel<TrailDisplay>(defines);
   trace_ = gl::Kernel<TraceKernel>(defines);
   gl::barrier();
   trace(gl::Kernel<TraceKernel>(defines, {.first = true}));
@@ -135,15 +135,15 @@ void Tracers::advance() const {
 
 void Tracers::drawOver(const FluidArray& shown) const {
   gl::barrier();
-  show_.dispatch(size_, {.size = size_,
-                         .color = parameters_.color,
-                         .perUnit = parameters_.brightness / 4096.0F,
-                         .shown = shown.resource(),
-                         .trail = trail_});
+  display_.dispatch(size_, {.size = size_,
+                            .color = parameters_.color,
+                            .perUnit = parameters_.brightness / 4096.0F,
+                            .shown = shown.resource(),
+                            .trail = trail_});
   gl::barrier();
 }
 
-void Tracers::carryOver(CarryOver& carry) {
+void Tracers::visitCheckpointData(CarryOver& carry) {
   carry.array("tracers", tracers_.buffer());
   carry.array("trail", trail_.buffer());
 }

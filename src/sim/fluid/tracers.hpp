@@ -37,7 +37,7 @@ struct TracerParameters {
 
 struct TraceKernel;
 struct TrailFade;
-struct TrailShow;
+struct TrailDisplay;
 
 /// Massless particles that a fluid carries along, and the trails that they draw over its picture. Each
 /// substep uses the fluid's velocities at the end of the substep. Trails are integer sums, so the result
@@ -58,7 +58,7 @@ class Tracers {
   void advance() const;
   /// Draws the trails over the displayed values of the fluid's cells and their ring.
   void drawOver(const FluidArray& shown) const;
-  void carryOver(CarryOver& carry);
+  void visitCheckpointData(CarryOver& carry);
   [[nodiscard]] std::vector<StateArray> state() const;
 
  private:
@@ -73,7 +73,7 @@ class Tracers {
   float kept_ = 1;  ///< Fraction of a trail's brightness that remains after a frame.
   gl::Kernel<TraceKernel> trace_;
   gl::Kernel<TrailFade> fade_;
-  gl::Kernel<TrailShow> show_;
+  gl::Kernel<TrailDisplay> display_;
 };
 
 }  // namespace simreel::sim

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double unreachedWay = std::numeric_limits<double>::infinity();
 /// Minimum fraction of the weight that an attachment must carry; other attachments are omitted.
-constexpr double leastLacking = 0.2;
+constexpr double minLacking = 0.2;
 /// Fraction of the softness computed by stiffnessOf() that takes effect, because faces support each other.
 /// It was measured from the stretch of hanging rows of right-angled and random meshes without attachments.
 constexpr double partOfSoftness = 0.75;
@@ -85,7 +85,7 @@ class Fronts {
     }
   }
 
-  WaysToPins ways;
+  PathsToPins ways;
 
  private:
   void reach(unsigned vertex, double length, unsigned pin) {
@@ -195,7 +195,7 @@ double alongWay(const FaceStiffness& k, double cosine, double sine) {
 /// Returns the cluster of the pin of each vertex. Pins that are connected by edges form a cluster, which is
 /// named by the lowest index of its pins.
 std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<bool>& pinned,
-                                 const WaysToPins& ways) {
+                                 const PathsToPins& ways) {
   std::vector<unsigned> first(pinned.size());
   for (unsigned i = 0; i < first.size(); ++i) first[i] = i;
   const auto root = [&](unsigned i) {
@@ -217,8 +217,8 @@ std::vector<unsigned> clustersOf(const ClothTriangles& cloth, const std::vector<
 
 }  // namespace
 
-WaysToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned) {
-  WaysToPins ways = Fronts(cloth, pinned).ways;
+PathsToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned) {
+  PathsToPins ways = Fronts(cloth, pinned).ways;
   for (std::size_t i = 0; i < ways.pins.size(); ++i)
     if (ways.pins[i] != ClothTriangles::none)  // If the cluster has several pins, the pin from which the
                                                // front started is unknown.
@@ -230,16 +230,16 @@ std::vector<Attachment> attachmentsOf(const ClothTriangles& cloth, const std::ve
                                       const std::vector<MembraneElement>& membrane,
                                       const std::vector<double>& masses,
                                       const shader::FabricConstants& fabric, double seconds) {
-  const WaysToPins ways = waysToPins(cloth, pinned);
+  const PathsToPins ways = waysToPins(cloth, pinned);
   const std::vector<unsigned> clusters = clustersOf(cloth, pinned, ways);
   std::map<unsigned, double> farthest;
   for (std::size_t i = 0; i < clusters.size(); ++i)
     if (clusters[i] != ClothTriangles::none) {
-      double& most = farthest[clusters[i]];
-      most = std::max(most, ways.lengths[i]);
+      double& maximum = farthest[clusters[i]];
+      maximum = std::max(maximum, ways.lengths[i]);
     }
   std::map<unsigned, Hanging> hanging;
-  for (const auto& [cluster, most] : farthest) hanging.emplace(cluster, Hanging(most));
+  for (const auto& [cluster, maximum] : farthest) hanging.emplace(cluster, Hanging(maximum));
   for (const ClothTriangles::Face& face : cloth.faces)
     for (const unsigned corner : face.corners) {  // each corner gets a third of the face's area and mass
       if (clusters[corner] == ClothTriangles::none) continue;
@@ -278,7 +278,7 @@ std::vector<Attachment> attachmentsOf(const ClothTriangles& cloth, const std::ve
     }
     const double around = cloth.starts[i + 1] - cloth.starts[i];
     const double lacking = 1 - whole / left;
-    if (lacking < leastLacking) continue;
+    if (lacking < minLacking) continue;
     const double compliance =
         hanging[clusters[i]].lowered(ways.lengths[i]) * (whole / around) / (masses[i] * lacking);
     attachments.push_back({i, ways.pins[i], ways.lengths[i], compliance});

@@ -19,13 +19,13 @@ struct Attachment {
 
 /// For each vertex, the length in metres of the shortest path over its connected piece of cloth to a pinned
 /// vertex, and the index of that pinned vertex. The length is infinite if the piece has no pinned vertex.
-struct WaysToPins {
+struct PathsToPins {
   std::vector<double> lengths;
   std::vector<unsigned> pins;
 };
 /// Computes the paths by fronts that propagate across faces. The result is exact in a plane for a straight
 /// row of pins and, except for the first ring of vertices, for a single pin.
-[[nodiscard]] WaysToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned);
+[[nodiscard]] PathsToPins waysToPins(const ClothTriangles& cloth, const std::vector<bool>& pinned);
 
 /// Returns the attachments of a cloth whose faces are relaxed once per substep of `seconds`. An attachment
 /// supplies the stiffness that the faces lack.

@@ -28,7 +28,8 @@ class Garment : public Simulation, public LockStep {
  public:
   Garment(const scene::Object& object, const Setting& setting)
       : name_(object.name),
-        plan_(object.name, parametersOf<ClothParameters>(object).inStep(setting.together<LockStep>().steps),
+        plan_(object.name,
+              parametersOf<ClothParameters>(object).withContactSubsteps(setting.together<LockStep>().steps),
               setting.seed, setting.frameSeconds, *setting.colliders, boneNamedIn(setting),
               setting.startTime, heldBySkinIn(setting)),
         frameSeconds_(setting.frameSeconds),
@@ -114,8 +115,8 @@ class Garment : public Simulation, public LockStep {
     drawables.surfaces.push_back(surface);
   }
 
-  void carryOver(CarryOver& carry) override {
-    plan_.carryOver(carry);
+  void visitCheckpointData(CarryOver& carry) override {
+    plan_.visitCheckpointData(carry);
     carry.array("positions", kernels_.positions().buffer());
     carry.array("velocities", kernels_.velocities().buffer());
     carry.array("trends", kernels_.trends().buffer());
@@ -187,7 +188,7 @@ class Garment : public Simulation, public LockStep {
   GarmentKernels kernels_;
   StepBlocks<shader::ClothStep> steps_;
   MeshTopology topology_;
-  std::optional<MovingLooks> looks_;  ///< empty if the vertices are coloured by a quantity
+  std::optional<MovingMeshMaterials> looks_;  ///< empty if the vertices are coloured by a quantity
   scene::Material material_;
   std::optional<ClothColors> colors_;
 };

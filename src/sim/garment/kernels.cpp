@@ -103,7 +103,7 @@ struct GarmentThin {
   GarmentRings around;
 };
 
-struct GarmentShow {
+struct GarmentDisplay {
   static constexpr auto file = "garment/show.comp";
   GarmentPart garment;
   GarmentRings around;
@@ -195,7 +195,7 @@ void GarmentKernels::makeKernels(const TouchVariant& touch, bool fast) {
   settle_ = settling(false);
   if (p.contact) settleAgain_ = settling(true);
   if (thin_.any()) findThin_ = gl::Kernel<GarmentThin>(defines);
-  show_ = gl::Kernel<GarmentShow>(defines);
+  display_ = gl::Kernel<GarmentDisplay>(defines);
 }
 
 GarmentRings GarmentKernels::around(std::size_t bending) const {
@@ -286,12 +286,12 @@ void GarmentKernels::meet(const gl::Kernel<GarmentSettle>& settling, const Step&
 // Computes the drawn positions and normals.
 void GarmentKernels::prepareDrawing(const Step& step) const {
   const auto count = static_cast<int>(plan_->arrays().copies.size());
-  show_.dispatch(count, {.garment = {count, step},
-                         .around = around(0),
-                         .positions = positions_[0],
-                         .copies = copies_,
-                         .drawnPositions = drawnPositions_,
-                         .drawnNormals = drawnNormals_});
+  display_.dispatch(count, {.garment = {count, step},
+                            .around = around(0),
+                            .positions = positions_[0],
+                            .copies = copies_,
+                            .drawnPositions = drawnPositions_,
+                            .drawnNormals = drawnNormals_});
   gl::barrier();
 }
 

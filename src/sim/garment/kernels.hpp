@@ -19,7 +19,7 @@ struct GarmentAttach;
 struct GarmentSew;
 struct GarmentSettle;
 struct GarmentThin;
-struct GarmentShow;
+struct GarmentDisplay;
 
 /// Owns the GPU state of a cloth made of triangles and dispatches the kernels of a substep in this order:
 /// air forces per face, forces and prediction per vertex, stretch and shear of the faces one colour at a
@@ -87,7 +87,7 @@ class GarmentKernels {
   gl::Kernel<GarmentSew> sew_;
   gl::Kernel<GarmentSettle> settle_, settleAgain_;
   gl::Kernel<GarmentThin> findThin_;
-  gl::Kernel<GarmentShow> show_;
+  gl::Kernel<GarmentDisplay> display_;
 };
 
 }  // namespace simreel::sim

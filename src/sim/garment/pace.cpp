@@ -13,13 +13,13 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double mostStretchError = 0.005;
+constexpr double maxStretchError = 0.005;
 /// Fraction of a length held by attachments that counts as hanging.
 constexpr double attachedPart = 0.1;
-constexpr int mostSubsteps = 1024;
+constexpr int substepLimit = 1024;
 /// Maximum number of substeps per frame that are added because of bending. Beyond it, elements are softened
 /// instead, because otherwise a few slivers would slow down the whole cloth.
-constexpr double mostForBending = 240;
+constexpr double maxForBending = 240;
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
@@ -51,8 +51,8 @@ std::vector<unsigned> spread(const ClothTriangles& cloth, const std::multimap<un
 
 }  // namespace
 
-std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<bool>& pinned,
-                                const std::multimap<unsigned, unsigned>& links) {
+std::vector<double> hangingLengths(const ClothTriangles& cloth, const std::vector<bool>& pinned,
+                                   const std::multimap<unsigned, unsigned>& links) {
   std::vector<double> distances(cloth.points.size(), unreached);
   std::set<std::pair<double, unsigned>> open;
   for (unsigned i = 0; i < distances.size(); ++i)
@@ -78,7 +78,7 @@ std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<b
 
 double hangingLength(const ClothTriangles& cloth, const std::vector<bool>& pinned,
                      const std::multimap<unsigned, unsigned>& links) {
-  const std::vector<double> ways = hangingWays(cloth, pinned, links);
+  const std::vector<double> ways = hangingLengths(cloth, pinned, links);
   return *std::max_element(ways.begin(), ways.end());
 }
 
@@ -87,7 +87,7 @@ GarmentPace::GarmentPace(const ClothParameters& parameters, const ClothTriangles
                          const std::vector<bool>& pinned, const std::multimap<unsigned, unsigned>& links) {
   softening = softeningSeconds(parameters, 1.0);
   if (parameters.keepsEnergy()) steadyPart = 0.4;  // in a swing the tension is three times as high
-  const std::vector<double> ways = hangingWays(cloth, pinned, links);
+  const std::vector<double> ways = hangingLengths(cloth, pinned, links);
   std::vector<double> own(ways.size(), unreached);
   std::set<std::pair<double, unsigned>> pins;
   for (unsigned i = 0; i < own.size(); ++i)
@@ -131,12 +131,12 @@ double GarmentPace::stableSeconds() const {
 
 int GarmentPace::substeps(double frameSeconds, double bendingSquared, int fewest) const {
   const double bending =
-      std::min(frameSeconds * std::sqrt(bendingSquared / mostBending(1.0)), mostForBending);
-  const double stretching = frameSeconds * std::sqrt(stretchError(1.0) / mostStretchError);
+      std::min(frameSeconds * std::sqrt(bendingSquared / maxBending(1.0)), maxForBending);
+  const double stretching = frameSeconds * std::sqrt(stretchError(1.0) / maxStretchError);
   const double steady = frameSeconds / (steadyPart * stableSeconds());
   const double needed = std::ceil(std::max({bending, stretching, steady}));
   return static_cast<int>(
-      std::clamp(needed, static_cast<double>(fewest), static_cast<double>(mostSubsteps)));
+      std::clamp(needed, static_cast<double>(fewest), static_cast<double>(substepLimit)));
 }
 
 }  // namespace simreel::sim

@@ -49,8 +49,9 @@ struct GarmentPace {
 };
 
 /// Returns, for each vertex, the path length in metres of which hangingLength() returns the maximum.
-[[nodiscard]] std::vector<double> hangingWays(const ClothTriangles& cloth, const std::vector<bool>& pinned,
-                                              const std::multimap<unsigned, unsigned>& links);
+[[nodiscard]] std::vector<double> hangingLengths(const ClothTriangles& cloth,
+                                                 const std::vector<bool>& pinned,
+                                                 const std::multimap<unsigned, unsigned>& links);
 
 /// Returns the maximum over all vertices of the shortest path along edges to a pin of the same piece, in
 /// metres. For a piece without pins, the length is half of the path between two vertices that are far
@@ -59,7 +60,7 @@ struct GarmentPace {
                                    const std::multimap<unsigned, unsigned>& links);
 
 /// Returns the maximum squared bending frequency (1/s^2) for which an explicit step of `seconds` is stable.
-[[nodiscard]] constexpr double mostBending(double seconds) {
+[[nodiscard]] constexpr double maxBending(double seconds) {
   return 2.0 / (seconds * seconds);
 }
 

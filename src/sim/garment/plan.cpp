@@ -171,7 +171,7 @@ void GarmentPlan::sew(const std::string& name, const ClothParameters& parameters
       const unsigned b = vertexNamed(name, fmt::format("seams[{}]", k), seam.to[i]);
       if (a == b) continue;  // Both indices denote the same merged vertex.
       const glm::dvec3 d = glm::dvec3(rest_[b]) - glm::dvec3(rest_[a]);
-      shut_[seam.seconds].emplace_back(a, b);
+      seamPairs_[seam.seconds].emplace_back(a, b);
       stitches.emplace_back(a, b, bitsOf(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)),
                             bitsOf(1 / seam.seconds));
     }
@@ -205,7 +205,7 @@ ClothParameters GarmentPlan::settled(const std::string& name, ClothParameters pa
   plates_.push_back(plateElements(cloth_, clamps_));
   std::vector<std::pair<unsigned, unsigned>> sewn;
   int opposite = 0;
-  for (const auto& [seconds, stitches] : shut_) {
+  for (const auto& [seconds, stitches] : seamPairs_) {
     sewn.insert(sewn.end(), stitches.begin(), stitches.end());
     ClothTriangles grown = cloth_;
     opposite = grown.sew(sewn);
@@ -277,14 +277,14 @@ std::vector<double> GarmentPlan::inverseMasses() const {
 
 void GarmentPlan::bend(const std::string& name, const ClothParameters& parameters, double seconds,
                        bool given) {
-  auto shut = shut_.begin();
+  auto shut = seamPairs_.begin();
   int softened = 0;
   for (const std::vector<PlateElement>& plate : plates_) {
     GarmentBending bending;
     // The bending applies from the first substep after the seam is closed.
     if (!arrays_.bendings.empty()) bending.from = static_cast<int>(std::ceil((shut++)->first / seconds));
     const PlateMatrix matrix(plate, parameters.fabric->constants().bending, inverseMasses(),
-                             mostBending(seconds));
+                             maxBending(seconds));
     softened = std::max(softened, matrix.softened);
     bending.fans.resize(rest_.size());
     for (std::size_t i = 0; i < masses_.size(); ++i) {

@@ -69,7 +69,7 @@ class GarmentPlan {
   /// Returns the number of vertices, including ghost points.
   [[nodiscard]] std::size_t vertexCount() const { return rest_.size(); }
   [[nodiscard]] std::vector<shader::ClothStep> frame(double time) { return steps_.frame(time); }
-  void carryOver(CarryOver& carry) { steps_.carryOver(carry); }
+  void visitCheckpointData(CarryOver& carry) { steps_.visitCheckpointData(carry); }
 
   [[nodiscard]] const ClothParameters& parameters() const { return steps_.parameters(); }
   [[nodiscard]] int substeps() const { return steps_.substeps(); }
@@ -126,7 +126,7 @@ class GarmentPlan {
   std::vector<int> groups_;      ///< pin group of each vertex and ghost point, or -1 if not pinned
   std::vector<ClampedEdge> clamps_;
   /// Pairs of vertices that are sewn together; the key is the time in seconds until their seam is closed.
-  std::map<double, std::vector<std::pair<unsigned, unsigned>>> shut_;
+  std::map<double, std::vector<std::pair<unsigned, unsigned>>> seamPairs_;
   GarmentArrays arrays_;
   ClothPlan steps_;
   SkinPins skinPins_;

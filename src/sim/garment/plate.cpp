@@ -94,13 +94,13 @@ class Patch {
   std::size_t next_ = 0;
 };
 
-constexpr std::size_t mostUnknowns = 6;
-using SolverRow = std::array<double, mostUnknowns>;
+constexpr std::size_t maxUnknowns = 6;
+using SolverRow = std::array<double, maxUnknowns>;
 
 /// Returns the inverse of a symmetric positive definite matrix; nullopt if it is singular.
-std::optional<std::array<SolverRow, mostUnknowns>> inverse(std::array<SolverRow, mostUnknowns> m,
-                                                           std::size_t size) {
-  std::array<SolverRow, mostUnknowns> result{};
+std::optional<std::array<SolverRow, maxUnknowns>> inverse(std::array<SolverRow, maxUnknowns> m,
+                                                          std::size_t size) {
+  std::array<SolverRow, maxUnknowns> result{};
   for (std::size_t i = 0; i < size; ++i) result[i][i] = 1;
   for (std::size_t k = 0; k < size; ++k) {
     std::size_t pivot = k;
@@ -135,22 +135,22 @@ struct Term {
 /// Returns the derivative along y at the origin (1/m) of the quadratic that best fits the points. The list
 /// of terms is empty if the points do not determine a quadratic.
 std::vector<Term> slopeOfFit(const Patch& patch) {
-  if (patch.points.size() < mostUnknowns) return {};
+  if (patch.points.size() < maxUnknowns) return {};
   std::vector<SolverRow> values;
-  std::array<SolverRow, mostUnknowns> normal{};
+  std::array<SolverRow, maxUnknowns> normal{};
   for (const FlatPoint& point : patch.points) {
     const glm::dvec2 p = point.place / patch.length;
     const SolverRow row{1, p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y};
     values.push_back(row);
-    for (std::size_t i = 0; i < mostUnknowns; ++i)
-      for (std::size_t j = 0; j < mostUnknowns; ++j) normal[i][j] += row[i] * row[j];
+    for (std::size_t i = 0; i < maxUnknowns; ++i)
+      for (std::size_t j = 0; j < maxUnknowns; ++j) normal[i][j] += row[i] * row[j];
   }
-  const auto solved = inverse(normal, mostUnknowns);
+  const auto solved = inverse(normal, maxUnknowns);
   if (!solved) return {};
   std::vector<Term> terms;
   for (std::size_t i = 0; i < values.size(); ++i) {
     double weight = 0;
-    for (std::size_t j = 0; j < mostUnknowns; ++j) weight += (*solved)[2][j] * values[i][j];
+    for (std::size_t j = 0; j < maxUnknowns; ++j) weight += (*solved)[2][j] * values[i][j];
     terms.push_back({patch.points[i].vertex, weight / patch.length});
   }
   return terms;
@@ -175,18 +175,18 @@ std::vector<Term> slopeOfPlanes(const Patch& patch) {
 
 /// Returns the derivative across an edge at its middle, in the direction out of the face.
 std::vector<Term> slopeAcross(const ClothTriangles& cloth, unsigned face, std::size_t side) {
-  constexpr double most = 3;
+  constexpr double maximum = 3;
   constexpr int rings = 3;
   Patch patch(cloth, face, side);
   std::vector<Term> best;
-  double least = 1e30;
-  for (int ring = 0; ring < rings && least > most; ++ring) {
+  double minimum = 1e30;
+  for (int ring = 0; ring < rings && minimum > maximum; ++ring) {
     patch.widen();
     std::vector<Term> terms = slopeOfFit(patch);
     double size = 0;
     for (const Term& term : terms) size += term.weight * term.weight * patch.length * patch.length;
-    if (terms.empty() || size >= least) continue;
-    least = size;
+    if (terms.empty() || size >= minimum) continue;
+    minimum = size;
     best = std::move(terms);
   }
   return best.empty() ? slopeOfPlanes(patch) : best;
@@ -338,14 +338,14 @@ double plateEnergy(const std::vector<PlateElement>& elements, double bending,
 }
 
 PlateMatrix::PlateMatrix(const std::vector<PlateElement>& elements, double bending,
-                         const std::vector<double>& inverseMasses, double mostSquaredFrequency)
+                         const std::vector<double>& inverseMasses, double maxSquaredFrequency)
     : rows(inverseMasses.size()) {
   const std::vector<double> sums = bounds(elements, bending, inverseMasses);
   for (const PlateElement& element : elements) {
     double soft = 1;
     for (const PlateElement::Part& part : element.parts)
-      if (sums[part.vertex] > mostSquaredFrequency)
-        soft = std::min(soft, mostSquaredFrequency / sums[part.vertex]);
+      if (sums[part.vertex] > maxSquaredFrequency)
+        soft = std::min(soft, maxSquaredFrequency / sums[part.vertex]);
     if (soft < 1) ++softened;
     stiffnesses.push_back(bending * soft);
     for (std::size_t i = 0; i < element.parts.size(); ++i)

@@ -51,11 +51,11 @@ using PlateRow = std::vector<std::pair<unsigned, double>>;
 
 /// The rows of K = sum D A H H^T in N/m. To keep an explicit step stable, the elements around a vertex are
 /// softened until the sum of the magnitudes in the vertex' row, times its inverse mass (1/kg), is at most
-/// `mostSquaredFrequency` (1/s^2). This sum is an upper bound of all squared frequencies (Gershgorin).
+/// `maxSquaredFrequency` (1/s^2). This sum is an upper bound of all squared frequencies (Gershgorin).
 /// `softened` is the number of softened elements.
 struct PlateMatrix {
   PlateMatrix(const std::vector<PlateElement>& elements, double bending,
-              const std::vector<double>& inverseMasses, double mostSquaredFrequency);
+              const std::vector<double>& inverseMasses, double maxSquaredFrequency);
   std::vector<PlateRow> rows;
   std::vector<double> stiffnesses;  ///< bending stiffness of each element in N m
   int softened = 0;

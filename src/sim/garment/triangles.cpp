@@ -18,10 +18,10 @@ namespace {
 
 /// Minimum area of a face as a fraction of the squared length of its longest edge; smaller faces are
 /// degenerate.
-constexpr double leastArea = 1e-5;
+constexpr double minArea = 1e-5;
 /// Maximum number of faces around a vertex. They all have different colours, and colours are processed one
 /// after another.
-constexpr unsigned mostAround = 256;
+constexpr unsigned maxFacesAroundVertex = 256;
 
 using Spot = std::array<float, 3>;
 
@@ -109,7 +109,7 @@ ClothTriangles::ClothTriangles(const std::string& name, const Mesh& mesh, double
     const glm::dvec3 n = glm::cross(b, c);
     face.area = 0.5 * std::sqrt(glm::dot(n, n));
     const double longest = std::max({glm::dot(b, b), glm::dot(c, c), glm::dot(b - c, b - c)});
-    if (!(face.area > leastArea * longest))
+    if (!(face.area > minArea * longest))
       fail(ExitCode::usage,
            "{}: face {} (vertices {}, {} and {}) has no area, {}; remove it, or \"weld\" closer", name,
            i / 3, mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2], placeText(a));
@@ -170,9 +170,9 @@ void ClothTriangles::gather(const std::string& name) {
       fail(ExitCode::usage, "{}: vertex {} belongs to no face, {}; remove it", name, copy,
            placeText(points[i]));
     }
-    if (starts[i + 1] > mostAround)
+    if (starts[i + 1] > maxFacesAroundVertex)
       fail(ExitCode::usage, "{}: {} faces meet in one vertex, {}, more than {}; make it finer there", name,
-           starts[i + 1], placeText(points[i]), mostAround);
+           starts[i + 1], placeText(points[i]), maxFacesAroundVertex);
     starts[i + 1] += starts[i];
   }
   around.resize(starts.back());

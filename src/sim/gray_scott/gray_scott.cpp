@@ -79,7 +79,7 @@ class GrayScott : public Simulation, public Retunable {
     drawables.fields.push_back(field);
   }
 
-  void carryOver(CarryOver& carry) override { carry.array("cells", kernels_.cells().buffer()); }
+  void visitCheckpointData(CarryOver& carry) override { carry.array("cells", kernels_.cells().buffer()); }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &kernels_.cells().buffer()}};

@@ -62,7 +62,9 @@ struct GrayScottParameters : ObjectParameters, HasColorRange, scene::Covering, s
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   void ports(Ports& ports) const override;
-  [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{8} * size.x * size.y; }
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
+    return std::int64_t{8} * size.x * size.y;
+  }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 
   /// Returns the rates at `time` (seconds), without spatial variation.

@@ -24,7 +24,8 @@ std::vector<glm::vec4> inPairs(glm::ivec2 size, const std::function<glm::vec2(in
   return elements;
 }
 
-std::vector<float> sharesOf(const std::filesystem::path& file, const char* what, glm::ivec2 size) {
+std::vector<float> barycentricWeights(const std::filesystem::path& file, const char* what,
+                                      glm::ivec2 size) {
   const Picture picture = loadPicture(file, what, maxImageSide);
   std::vector<float> fractions;
   for (const std::uint8_t level : levelsOnGrid(picture, size))
@@ -58,7 +59,7 @@ std::vector<float> GrayScottPlan::firstV() const {
   const auto cells = static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(p.size.y);
   std::vector<float> v(cells);
   if (!p.image.empty()) {
-    v = sharesOf(p.image, "image of v", p.size);
+    v = barycentricWeights(p.image, "image of v", p.size);
     for (float& x : v) x *= static_cast<float>(p.seedValue);
   }
   const auto word = [&](unsigned i, unsigned purpose) {
@@ -107,8 +108,8 @@ std::vector<glm::vec4> GrayScottPlan::weights() const {
   if (!mapped()) return {};
   const GrayScottParameters& p = parameters_;
   std::vector<float> feed, kill;
-  if (!p.feedImage.empty()) feed = sharesOf(p.feedImage, "image of feed rates", p.size);
-  if (!p.killImage.empty()) kill = sharesOf(p.killImage, "image of kill rates", p.size);
+  if (!p.feedImage.empty()) feed = barycentricWeights(p.feedImage, "image of feed rates", p.size);
+  if (!p.killImage.empty()) kill = barycentricWeights(p.killImage, "image of kill rates", p.size);
   const auto width = static_cast<std::size_t>(p.size.x);
   return inPairs(p.size, [&](int x, int y) {
     const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);

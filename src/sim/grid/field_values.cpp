@@ -14,10 +14,10 @@ namespace {
 std::vector<std::uint32_t> wordsOf(const Field& field) {
   const int perWord = field.cells == Field::Cells::bits ? 32 : field.cells == Field::Cells::bytes ? 4 : 1;
   const bool whole = perWord == 1;
-  const std::int64_t apart = whole ? field.cellWords : 1;
+  const std::int64_t cellStride = whole ? field.cellWords : 1;
   const std::int64_t beyond = field.cells == Field::Cells::colors ? 4 : 1;
   const std::int64_t count =
-      std::int64_t{field.size.y - 1} * field.rowWords + (field.size.x - 1) * apart / perWord + beyond;
+      std::int64_t{field.size.y - 1} * field.rowWords + (field.size.x - 1) * cellStride / perWord + beyond;
   GLint buffer = 0;
   glGetTextureLevelParameteriv(field.words->name(), 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
   gl::checkCalls();

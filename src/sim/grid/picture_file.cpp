@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostTexels = 1 << 27;  ///< Maximum number of texels in a buffer on common devices.
+constexpr int texelLimit = 1 << 27;  ///< Maximum number of texels in a buffer on common devices.
 
 /// Returns true if a BMP file contains all bytes of its rows. stb_image would replace missing bytes by
 /// zeros.
@@ -111,9 +111,9 @@ glm::ivec2 checkedSize(std::string_view bytes, const std::string& name, const ch
          maxSide, maxSide);
   if (static_cast<double>(width) * height > pixelsIn(bytes))
     refuse(fmt::format("{}x{} pixels do not fit in its {} bytes", width, height, bytes.size()));
-  if (static_cast<double>(width) * height > mostTexels)
+  if (static_cast<double>(width) * height > texelLimit)
     fail(ExitCode::device, "the {} {} of {}x{} pixels is above the limit of {} pixels; make it smaller",
-         what, name, width, height, mostTexels);
+         what, name, width, height, texelLimit);
   if (bytes.starts_with("BM") && !bmpIsWhole(bytes, {width, height})) refuse("it is cut off");
   // stb_image 2.27 reads past the end of such a file.
   if (bytes.starts_with('P') && stbIsDeep(bytes))

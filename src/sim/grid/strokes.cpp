@@ -74,7 +74,7 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
   f.vector("to", to, {-1e6, 1e6}, "cells", "Place that the circle moves to, or the end of the line.");
   f.leftOut("to", "\"from\"");
   if (!f.given("to")) to = from;
-  f.onlyGiven("path", path, scene::Animated<glm::vec3>(), [&](scene::Animated<glm::vec3>& keys) {
+  f.optionalValue("path", path, scene::Animated<glm::vec3>(), [&](scene::Animated<glm::vec3>& keys) {
     f.vector("path", keys, {-1e6, 1e6}, "cells",
              "Place of the circle, by keyframes; the third number counts only in volumes.");
   });

@@ -15,7 +15,7 @@ struct TallyJoin {
   static constexpr auto file = "grid/tally_join.comp";
   gl::Uniform<"lanes", int> lanes;
   gl::Uniform<"sumFactor", glm::vec4> sumFactor;
-  gl::Uniform<"mostFactor", glm::vec4> mostFactor;
+  gl::Uniform<"maxFactor", glm::vec4> maxFactor;
   gl::In<"lanesBefore"> before;
   gl::Out<"joined"> joined;
 };
@@ -28,11 +28,11 @@ Tally::Tally(const std::string& name, const gl::Defines& defines)
       total_(name + " totals", 2),
       join_(defines) {}
 
-void Tally::join(const glm::vec4& sumFactor, const glm::vec4& mostFactor) const {
+void Tally::join(const glm::vec4& sumFactor, const glm::vec4& maxFactor) const {
   const glm::vec4 one(1);
   const int some = shader::tally::tallyJoined;
   join_.dispatch(some, {some, one, one, laneSums_, joined_});
-  join_.dispatch(1, {1, sumFactor, mostFactor, joined_, total_});
+  join_.dispatch(1, {1, sumFactor, maxFactor, joined_, total_});
   gl::barrier();
 }
 

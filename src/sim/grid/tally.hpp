@@ -25,8 +25,8 @@ class Tally {
   /// invocations.
   [[nodiscard]] const gl::Vec4Array& laneSums() const { return laneSums_; }
   /// Combines laneSums() into the totals. Call it after a kernel has written them. The resulting sums are
-  /// multiplied by `sumFactor`, the maxima by `mostFactor`.
-  void join(const glm::vec4& sumFactor, const glm::vec4& mostFactor) const;
+  /// multiplied by `sumFactor`, the maxima by `maxFactor`.
+  void join(const glm::vec4& sumFactor, const glm::vec4& maxFactor) const;
   /// Returns the table of the sums followed by the maxima, with these column names (at most eight).
   [[nodiscard]] CountTable table(std::vector<const char*> columns) const;
 

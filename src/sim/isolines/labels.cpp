@@ -18,7 +18,7 @@ namespace {
 // above and below it.
 constexpr double gap = 0.45, gapAbove = 0.25;
 constexpr double stride = 5;        // distance in pixels between two candidate positions
-constexpr double mostBent = 0.35;   // maximum bend of the line below a label, in units of the cap height
+constexpr double maxBend = 0.35;    // maximum bend of the line below a label, in units of the cap height
 constexpr double apartOnLine = 40;  // distance between labels on one line, in units of the cap height
 constexpr double cell = 3;          // width in pixels of a cell of LineMap
 
@@ -116,10 +116,10 @@ class Placement {
     const MeasuredLine line(lines_[index]);
     const auto count = std::count_if(placed_.begin(), placed_.end(),
                                      [&](const IsoLabel& label) { return label.line == index; });
-    const int most = 1 + static_cast<int>(line.length() / (apartOnLine * sizes_.capital));
+    const int maximum = 1 + static_cast<int>(line.length() / (apartOnLine * sizes_.capital));
     // If lines are crowded, one label is enough.
     if (&avoided == &numbered_ && count > 0) return;
-    for (auto k = static_cast<int>(count); k < most; ++k) {
+    for (auto k = static_cast<int>(count); k < maximum; ++k) {
       const std::optional<IsoLabel> label = best(line, index, avoided);
       if (!label) return;
       placed_.push_back(*label);
@@ -130,10 +130,10 @@ class Placement {
                                              const LineMap& avoided) const {
     const double half = 0.5 * widthOf(index) + gap * sizes_.capital;
     const double margin = lines_[index].closed ? 0 : half + sizes_.capital;
-    constexpr double leastRest = 2.5;  // minimum length of a line, in units of the label's width
-    if (line.length() < leastRest * 2 * half) return std::nullopt;
+    constexpr double minRemainder = 2.5;  // minimum length of a line, in units of the label's width
+    if (line.length() < minRemainder * 2 * half) return std::nullopt;
     std::optional<IsoLabel> found;
-    double least = mostBent * sizes_.capital;
+    double minimum = maxBend * sizes_.capital;
     for (double way = margin; way <= line.length() - margin; way += stride) {
       const glm::dvec2 from = line.at(way - half), to = line.at(way + half);
       const double chord = glm::distance(from, to);
@@ -150,8 +150,8 @@ class Placement {
       if (label.along.x < 0 || (label.along.x == 0 && label.along.y > 0)) label.along = -label.along;
       // Horizontal text is easier to read than steep text.
       const double cost = bent + 0.1 * sizes_.capital * std::abs(label.along.y);
-      if (cost >= least || !fits(label, avoided)) continue;
-      least = cost;
+      if (cost >= minimum || !fits(label, avoided)) continue;
+      minimum = cost;
       found = label;
     }
     return found;
@@ -162,9 +162,9 @@ class Placement {
   [[nodiscard]] bool fits(const IsoLabel& label, const LineMap& avoided) const {
     const double u = sizes_.capital;
     for (const IsoLabel& other : placed_) {
-      const double apart =
+      const double minDistance =
           other.line == label.line ? apartOnLine * u : 0.5 * (label.width + other.width) + u;
-      if (glm::distance(other.middle, label.middle) < apart) return false;
+      if (glm::distance(other.middle, label.middle) < minDistance) return false;
     }
     const glm::dvec2 up(label.along.y, -label.along.x);
     const double half = 0.5 * label.width + 0.5 * u;

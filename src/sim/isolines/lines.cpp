@@ -15,10 +15,10 @@ namespace simreel::sim {
 namespace {
 
 constexpr double samplePixels = 2;  // distance in pixels between samples of a magnified field
-constexpr int mostPerCell = 16;
-constexpr double leastApart = 0.4;  // minimum distance in pixels between points of a line
-constexpr double leastLoop = 6;     // minimum length in pixels of closed lines; shorter closed lines are
-                                    // omitted
+constexpr int maxPerCell = 16;
+constexpr double minLabelDistance = 0.4;  // minimum distance in pixels between points of a line
+constexpr double minLoopLength = 6;  // minimum length in pixels of closed lines; shorter closed lines are
+                                     // omitted
 
 /// Values of a field, extrapolated linearly beyond its edges.
 struct Cells {
@@ -153,7 +153,8 @@ class Marching {
     const int to = edge % 2 == 0 ? from + 1 : from + grid_.size.x;
     const double part = (level_ - value(from)) / (value(to) - value(from));
     const glm::dvec2 at(from % grid_.size.x, from / grid_.size.x);
-    return grid_.first + grid_.apart * (at + part * (edge % 2 == 0 ? glm::dvec2(1, 0) : glm::dvec2(0, 1)));
+    return grid_.first +
+           grid_.spacing * (at + part * (edge % 2 == 0 ? glm::dvec2(1, 0) : glm::dvec2(0, 1)));
   }
 
   const IsoGrid& grid_;
@@ -174,12 +175,12 @@ void thin(IsoLine& line) {
   std::vector<glm::dvec2> kept = {line.points.front()};
   for (std::size_t i = 1; i < line.points.size(); ++i) {
     const bool isEnd = i + 1 == line.points.size() && !line.closed;
-    if (glm::distance(line.points[i], kept.back()) >= leastApart)
+    if (glm::distance(line.points[i], kept.back()) >= minLabelDistance)
       kept.push_back(line.points[i]);
     else if (isEnd && kept.size() > 1)
       kept.back() = line.points[i];
   }
-  while (line.closed && kept.size() > 3 && glm::distance(kept.back(), kept.front()) < leastApart)
+  while (line.closed && kept.size() > 3 && glm::distance(kept.back(), kept.front()) < minLabelDistance)
     kept.pop_back();
   line.points = std::move(kept);
 }
@@ -233,28 +234,28 @@ glm::dvec2 shareWithin(glm::dvec2 from, glm::dvec2 to, const glm::dvec4& part) {
 
 IsoGrid isoGrid(std::span<const float> values, glm::ivec2 cells, const FieldView& view) {
   const Cells all{values, cells};
-  glm::dvec2 apart(1);  // distance in cells between two samples
+  glm::dvec2 spacing(1);  // distance in cells between two samples
   for (int axis = 0; axis < 2; ++axis)
-    apart[axis] = view.perPixel[axis] > 1
-                      ? std::ceil(view.perPixel[axis])
-                      : 1 / std::clamp(std::ceil(1 / view.perPixel[axis] / samplePixels), 1.0,
-                                       static_cast<double>(mostPerCell));
+    spacing[axis] = view.perPixel[axis] > 1
+                        ? std::ceil(view.perPixel[axis])
+                        : 1 / std::clamp(std::ceil(1 / view.perPixel[axis] / samplePixels), 1.0,
+                                         static_cast<double>(maxPerCell));
   // The range covers all samples that the view needs. The first sample of the field is at the field's
   // corner.
   const glm::dvec2 from = view.origin + view.perPixel * glm::dvec2(view.part.x, view.part.y);
   const glm::dvec2 to = view.origin + view.perPixel * glm::dvec2(view.part.z, view.part.w);
-  const glm::dvec2 most = glm::floor(glm::dvec2(cells) / apart);
-  const glm::dvec2 first = glm::clamp(glm::floor(from / apart), glm::dvec2(0), most);
-  const glm::dvec2 last = glm::clamp(glm::ceil(to / apart), glm::dvec2(0), most);
+  const glm::dvec2 maximum = glm::floor(glm::dvec2(cells) / spacing);
+  const glm::dvec2 first = glm::clamp(glm::floor(from / spacing), glm::dvec2(0), maximum);
+  const glm::dvec2 last = glm::clamp(glm::ceil(to / spacing), glm::dvec2(0), maximum);
   IsoGrid grid;
   grid.size = glm::ivec2(last - first) + 1;
-  grid.apart = apart / view.perPixel;
-  grid.first = (first * apart - view.origin) / view.perPixel;
+  grid.spacing = spacing / view.perPixel;
+  grid.first = (first * spacing - view.origin) / view.perPixel;
   grid.values.reserve(static_cast<std::size_t>(grid.size.x) * static_cast<std::size_t>(grid.size.y));
-  const glm::ivec2 block(glm::max(apart, 1.0));
+  const glm::ivec2 block(glm::max(spacing, 1.0));
   for (int y = 0; y < grid.size.y; ++y)
     for (int x = 0; x < grid.size.x; ++x) {
-      const glm::dvec2 place = (first + glm::dvec2(x, y)) * apart;
+      const glm::dvec2 place = (first + glm::dvec2(x, y)) * spacing;
       grid.values.push_back(block.x > 1 || block.y > 1 ? meanAround(all, glm::ivec2(place), block)
                                                        : splineAt(all, place));
     }
@@ -267,7 +268,7 @@ std::vector<IsoLine> isoLines(const IsoGrid& grid, std::span<const double> level
     for (IsoLine& line : Marching(grid, levels[level]).lines()) {
       line.level = static_cast<int>(level);
       thin(line);
-      if (line.points.size() < 2 || (line.closed && lengthOf(line) < leastLoop)) continue;
+      if (line.points.size() < 2 || (line.closed && lengthOf(line) < minLoopLength)) continue;
       clip(std::move(line), part, all);
     }
   return all;

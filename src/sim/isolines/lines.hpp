@@ -12,7 +12,7 @@ namespace simreel::sim {
 struct IsoGrid {
   glm::ivec2 size{0};          ///< number of points along x and y
   glm::dvec2 first{0};         ///< position of the first point in the picture, in pixels
-  glm::dvec2 apart{1};         ///< distance between points in pixels
+  glm::dvec2 spacing{1};       ///< distance between points in pixels
   std::vector<double> values;  ///< values with x fastest; NaN where there is no value
 };
 

@@ -47,7 +47,7 @@ std::filesystem::path IsolineParameters::fontFile() const {
 }
 
 void IsolineParameters::ports(Ports& ports) const {
-  if (!of.empty()) ports.mustWant<FieldSource>(of, {"of"}, When::afterFrame);
+  if (!of.empty()) ports.requireFrom<FieldSource>(of, {"of"}, When::afterFrame);
 }
 
 namespace {

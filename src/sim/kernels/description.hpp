@@ -27,8 +27,8 @@ struct KernelMemory {
   // The following members apply only to textures.
   std::string field;  ///< name of another object's field that the texture is filled with, OBJECT or
                       ///< OBJECT.PART
-  enum class Taken { everyFrame, start };
-  Taken taken = Taken::everyFrame;
+  enum class FieldReadTime { everyFrame, start };
+  FieldReadTime readTime = FieldReadTime::everyFrame;
   std::string format;  ///< GLSL image format; if empty, the format in the shader, or 32 bits per channel
   enum class Filter { shader, point, linear };
   enum class Wrap { shader, repeat, clamp, mirror };

@@ -61,7 +61,7 @@ KernelWatch KernelFinite::watch(Part part) const {
   return {&reports_, static_cast<int>(part)};
 }
 
-std::string KernelFinite::told(int part, const glm::uvec4& words, unsigned frame) const {
+std::string KernelFinite::message(int part, const glm::uvec4& words, unsigned frame) const {
   const Drawn drawn = drawnBy(plan_.drawn(), static_cast<Part>(part));
   // An element without members is a single slot, which any name selects.
   const std::vector<KernelSlot> slots = plan_.slots(drawn.of);

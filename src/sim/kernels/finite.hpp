@@ -25,7 +25,7 @@ class KernelFinite {
   /// Returns the reports, one per part: number of elements, first element, two unused words.
   [[nodiscard]] const gl::Buffer& reports() const { return reports_; }
   /// Returns one line about the report `words` of a part in a frame.
-  [[nodiscard]] std::string told(int part, const glm::uvec4& words, unsigned frame) const;
+  [[nodiscard]] std::string message(int part, const glm::uvec4& words, unsigned frame) const;
 
  private:
   std::string name_;

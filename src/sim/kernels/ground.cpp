@@ -55,9 +55,9 @@ KernelGround::~KernelGround() = default;
 
 int KernelTerrain::steps(glm::ivec2 heights) const {
   if (finer > 0) return finer;
-  constexpr int wanted = 256, most = 16;
+  constexpr int wanted = 256, maximum = 16;
   int steps = 1;
-  while (steps < most && steps * (std::max(heights.x, heights.y) - 1) < wanted - 8) steps *= 2;
+  while (steps < maximum && steps * (std::max(heights.x, heights.y) - 1) < wanted - 8) steps *= 2;
   return steps;
 }
 
@@ -80,8 +80,8 @@ void KernelGround::endFrame() {
   if (field_) field_->setHeights(vertices_);
 }
 
-void KernelGround::carryOver(CarryOver& carry) {
-  if (field_) field_->carryOver(carry);
+void KernelGround::visitCheckpointData(CarryOver& carry) {
+  if (field_) field_->visitCheckpointData(carry);
 }
 
 Surface KernelGround::surface() const {

@@ -24,7 +24,7 @@ class KernelGround {
   void update(const KernelStore& store);
   /// Stores the current heights as the heights at the end of the frame, for colliding objects.
   void endFrame();
-  void carryOver(CarryOver& carry);
+  void visitCheckpointData(CarryOver& carry);
   /// Returns the outlet of a terrain that collides; null if it does not collide.
   [[nodiscard]] HeightField* outlet() { return field_ ? &*field_ : nullptr; }
   /// Returns a surface whose material is not set.

@@ -88,7 +88,8 @@ struct ImageParameters : KernelsParameters, scene::Covering {
   void build(scene::Fields& f);
   static void wantFields(Ports& ports, const ImagePass& pass, const std::vector<std::string>& path);
   void addPass(scene::Fields& f, const ImagePass& pass);
-  void holdChannels(scene::Fields& f, const kernels::Shader& shader, const std::vector<ImagePass>& all);
+  void checkChannelCount(scene::Fields& f, const kernels::Shader& shader,
+                         const std::vector<ImagePass>& all);
   std::map<std::string, std::string> aliases_;
 };
 
@@ -112,7 +113,7 @@ void ImageParameters::wantFields(Ports& ports, const ImagePass& pass,
     if (channel.field.empty()) continue;
     std::vector<std::string> whole = path;
     whole.insert(whole.end(), {"channels", channel.name, "field"});
-    ports.mustWant<FieldSource>(channel.field, std::move(whole), When::frameStart);
+    ports.requireFrom<FieldSource>(channel.field, std::move(whole), When::frameStart);
   }
 }
 
@@ -178,8 +179,8 @@ void ImageParameters::addPass(scene::Fields& f, const ImagePass& pass) {
 }
 
 /// Reports channels that a shader reads but the scene does not define. Removes constants that no pass uses.
-void ImageParameters::holdChannels(scene::Fields& f, const kernels::Shader& shader,
-                                   const std::vector<ImagePass>& all) {
+void ImageParameters::checkChannelCount(scene::Fields& f, const kernels::Shader& shader,
+                                        const std::vector<ImagePass>& all) {
   std::vector<std::string> read;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const kernels::Texture& texture : shader.kernels[i].textures) {
@@ -265,7 +266,7 @@ void ImageParameters::build(scene::Fields& f) {
       shader->files.insert(shader->files.end(), made->files.begin(), made->files.end());
       names.push_back(pass.name);
     }
-    holdChannels(f, *shader, all);
+    checkChannelCount(f, *shader, all);
     makePlan(f, std::move(shader), names, aliases_);
   } catch (const UserError& error) {
     keepProblem(error);

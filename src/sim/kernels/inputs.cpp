@@ -25,7 +25,7 @@ struct TakeKernel {
 
 namespace {
 
-constexpr int mostSide = 32768;  // maximum side in cells for betweenCells() in glsl/reaction/sampling.glsl
+constexpr int sideLimit = 32768;  // maximum side in cells for betweenCells() in glsl/reaction/sampling.glsl
 
 }  // namespace
 
@@ -49,16 +49,16 @@ void KernelInputs::update(KernelStore& store, bool first) {
   for (std::size_t i = 0; i < plan_.textures().size(); ++i) {
     const KernelMemory* given = plan_.textures()[i].given;
     if (given == nullptr || given->field.empty()) continue;
-    if (first || given->taken == KernelMemory::Taken::everyFrame)
+    if (first || given->readTime == KernelMemory::FieldReadTime::everyFrame)
       fill(store, i, fieldNamed(*links_, given->field));
   }
 }
 
 void KernelInputs::fill(KernelStore& store, std::size_t texture, const Field& field) {
   const PlannedTexture& planned = plan_.textures()[texture];
-  if (std::max(field.size.x, field.size.y) > mostSide)
+  if (std::max(field.size.x, field.size.y) > sideLimit)
     fail(ExitCode::usage, "the field \"{}\" has {} x {} cells; a texture takes at most {} along a side",
-         *field.name, field.size.x, field.size.y, mostSide);
+         *field.name, field.size.x, field.size.y, sideLimit);
   const int texels = planned.values == "int" ? 1 : planned.values == "uint" ? 2 : 0;
   const std::pair key(field.cells, texels);
   if (!kernels_.contains(key))

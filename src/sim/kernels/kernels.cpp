@@ -103,21 +103,21 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter, publ
     finish(time);
   }
   [[nodiscard]] const gl::Buffer* status() const override { return reports_.status(); }
-  [[nodiscard]] std::string remark(int /*frame*/) const override { return reports_.told(); }
+  [[nodiscard]] std::string remark(int /*frame*/) const override { return reports_.message(); }
   [[nodiscard]] std::string explainLoss(unsigned /*step*/, unsigned report) const override {
-    return reports_.told(report);
+    return reports_.message(report);
   }
   [[nodiscard]] int stepsPerFrame() const override { return parameters_.steps; }
   [[nodiscard]] std::string elementName(long element) const override {
     return fmt::format("bytes {} to {}", 16 * element, 16 * element + 15);
   }
   void publish(double /*time*/, Drawables& drawables) const override { drawn_.publish(drawables); }
-  void carryOver(CarryOver& carry) override {
+  void visitCheckpointData(CarryOver& carry) override {
     for (std::size_t i = 0; i < plan_->buffers().size(); ++i)
       carry.array(plan_->buffers()[i].name.c_str(), store_.buffer(static_cast<int>(i)));
     for (std::size_t i = 0; i < plan_->textures().size(); ++i)
       carry.array(plan_->textures()[i].name.c_str(), store_.words(static_cast<int>(i)));
-    if (KernelGround* ground = drawn_.ground()) ground->carryOver(carry);
+    if (KernelGround* ground = drawn_.ground()) ground->visitCheckpointData(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
     std::vector<StateArray> arrays;
@@ -245,7 +245,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter, publ
       const PlannedBuffer& buffer = plan_->buffers()[static_cast<std::size_t>(place)];
       header = buffer.header, stride = buffer.stride, count = buffer.count();
     }
-    double sum = 0, least = std::numeric_limits<double>::infinity(), most = -least;
+    double sum = 0, minimum = std::numeric_limits<double>::infinity(), maximum = -minimum;
     for (std::size_t i = 0; i < count; ++i) {
       double value = 0;
       for (std::size_t c = 0; c < slot.offsets.size(); ++c) {
@@ -254,13 +254,13 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter, publ
       }
       if (slot.offsets.size() > 1) value = std::sqrt(value);
       sum += value;
-      least = std::min(least, value);
-      most = std::max(most, value);
+      minimum = std::min(minimum, value);
+      maximum = std::max(maximum, value);
     }
     using What = KernelMeasure::What;
     return measure.what == What::sum   ? sum
-           : measure.what == What::min ? least
-           : measure.what == What::max ? most
+           : measure.what == What::min ? minimum
+           : measure.what == What::max ? maximum
                                        : sum / static_cast<double>(count);
   }
 

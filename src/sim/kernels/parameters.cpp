@@ -43,7 +43,7 @@ void describe(scene::Fields& f, KernelMemory& memory, bool texture) {
   if (texture) {
     f.text("field", memory.field,
            "Field of another object that a 2D texture takes: OBJECT, or OBJECT.PART such as \"smoke.u\".");
-    f.choice("taken", memory.taken, {"everyFrame", "start"},
+    f.choice("taken", memory.readTime, {"everyFrame", "start"},
              "Takes the field as it is at the beginning of each frame, or only at the start.");
     f.idleUnless(!memory.field.empty(), "field", {"taken"}, "a texture with a \"field\"");
     if (!memory.field.empty() && (f.given("file") || f.given("start")))
@@ -377,10 +377,10 @@ void KernelsParameters::ports(Ports& ports) const {
                             " without a \"field\" or \"points\" with \"colorBy\"");
   for (const KernelMemory& texture : textures)
     if (!texture.field.empty())
-      ports.mustWant<FieldSource>(texture.field, {"textures", texture.name, "field"}, When::frameStart);
+      ports.requireFrom<FieldSource>(texture.field, {"textures", texture.name, "field"}, When::frameStart);
   if (plan != nullptr)
     for (const KernelPlan::Quantity& quantity : plan->quantities())
-      ports.mustWant<Measured>(quantity.name, quantity.path, When::frameStart);
+      ports.requireFrom<Measured>(quantity.name, quantity.path, When::frameStart);
   ports.provide<FluidWind>(wind.has_value(), " without \"wind\"");
   const bool collides = terrain && terrain->collides;
   ports.provide<Touchable>(collides);
@@ -403,7 +403,7 @@ scene::Parameters::Looks KernelsParameters::looks() const {
   return plan->drawn().surface ? Looks::cloth : Looks::solid;
 }
 
-bool KernelsParameters::wanders() const {
+bool KernelsParameters::motionIsUnpredictable() const {
   return plan != nullptr && (plan->drawn().surface || plan->drawn().points || plan->drawn().terrain);
 }
 

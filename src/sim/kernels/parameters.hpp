@@ -34,7 +34,7 @@ struct KernelsParameters : ObjectParameters, HasColorRange, KernelDescription {
   [[nodiscard]] const char* drawnWith() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override;
-  [[nodiscard]] bool wanders() const override;
+  [[nodiscard]] bool motionIsUnpredictable() const override;
   /// Returns the files of the shaders, including the files that they include.
   [[nodiscard]] std::vector<std::filesystem::path> shaderFiles() const;
 

@@ -211,11 +211,11 @@ class KernelPlan {
   void planStarts();
   void planStart(const PlannedBuffer& buffer);
   void planStart(const PlannedTexture& texture);
-  void holdStart(const char* list, const KernelMemory& given, const scene::Formulas::Named& named,
-                 const KernelSlot& slot, glm::ivec3 size);
+  void checkStartArray(const char* list, const KernelMemory& given, const scene::Formulas::Named& named,
+                       const KernelSlot& slot, glm::ivec3 size);
   void planDrawing(const KernelDescription& parameters);
   [[nodiscard]] std::vector<std::string> bufferNames() const;
-  bool holdBuffer(const char* group, const std::string& of);
+  bool checkBufferSize(const char* group, const std::string& of);
   void planSurface(KernelSurface& surface);
   void planPoints(const KernelPoints& points);
   void planField(const KernelField& field);
@@ -224,10 +224,10 @@ class KernelPlan {
   [[nodiscard]] scene::Box boxOfTerrain() const;
   [[nodiscard]] scene::Box boxOfVolume() const;
   /// Reports an error if the grid `of` does not have `axes` axes, or if a member of it has too few numbers.
-  bool holdGrid(const char* group, const char* key, const std::string& of, const std::string& member,
-                std::size_t numbers, int axes);
+  bool checkGridSize(const char* group, const char* key, const std::string& of, const std::string& member,
+                     std::size_t numbers, int axes);
   bool holdMember(const char* group, const char* key, const std::string& of, const std::string& member,
-                  bool needed, std::size_t least);
+                  bool needed, std::size_t minimum);
   void planMeasures(const KernelDescription& parameters);
   PlannedNumber compiled(const scene::Formula::Part& part, std::vector<std::string> path);
   int placeOf(const std::string& name);

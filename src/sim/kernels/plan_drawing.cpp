@@ -44,8 +44,8 @@ void KernelPlan::planDrawing(const KernelDescription& parameters) {
             parameters.terrain, parameters.volume, parameters.wind};
   if (!drawn_.inSpace() && !drawn_.field && !drawn_.wind) chooseDrawing();
   planGrids();
-  if (drawn_.surface && holdBuffer("surface", drawn_.surface->of)) planSurface(*drawn_.surface);
-  if (drawn_.points && holdBuffer("points", drawn_.points->of)) planPoints(*drawn_.points);
+  if (drawn_.surface && checkBufferSize("surface", drawn_.surface->of)) planSurface(*drawn_.surface);
+  if (drawn_.points && checkBufferSize("points", drawn_.points->of)) planPoints(*drawn_.points);
   if (drawn_.field) planField(*drawn_.field);
 }
 
@@ -58,7 +58,7 @@ std::vector<std::string> KernelPlan::bufferNames() const {
 }
 
 /// Returns true if the group names a buffer that exists.
-bool KernelPlan::holdBuffer(const char* group, const std::string& of) {
+bool KernelPlan::checkBufferSize(const char* group, const std::string& of) {
   if (of.empty())
     mistake({group},
             fmt::format("\"{}\" needs \"of\", a buffer: {}", group, scene::suggestion("", bufferNames())));
@@ -75,7 +75,7 @@ void KernelPlan::planSurface(KernelSurface& surface) {
     surface.grid = {buffer.size.x, buffer.size.y};
   if (surface.mesh.empty() && surface.indices.empty()) {
     if (surface.grid.x < 2 || surface.grid.y < 2)
-      mistake({"surface"}, fmt::format("the {} vertices of {} are no grid; give \"grid\": [width, "
+      mistake({"surface"}, fmt::format("the {} vertices of {} do not form a grid; set \"grid\": [width, "
                                        "height], \"indices\" or \"mesh\"",
                                        buffer.count(), scene::inQuotes(surface.of)));
     else if (static_cast<std::size_t>(surface.grid.x) * static_cast<std::size_t>(surface.grid.y) >
@@ -161,7 +161,7 @@ void KernelPlan::chooseDrawing() {
 }
 
 bool KernelPlan::holdMember(const char* group, const char* key, const std::string& of,
-                            const std::string& member, bool needed, std::size_t least) {
+                            const std::string& member, bool needed, std::size_t minimum) {
   if (member.empty() && !needed) return true;
   const std::vector<KernelSlot> slots = slotsNamed(*this, of);
   const KernelSlot* slot = slotNamed(slots, member);
@@ -173,9 +173,9 @@ bool KernelPlan::holdMember(const char* group, const char* key, const std::strin
                                       scene::inQuotes(member), scene::suggestion(member, known)));
     return false;
   }
-  if (slot->offsets.size() < least || slot->offsets.size() > 4) {
+  if (slot->offsets.size() < minimum || slot->offsets.size() > 4) {
     mistake({group, key}, fmt::format("{} is a {}; expected {} to 4 numbers", scene::inQuotes(slot->path),
-                                      slot->type, least));
+                                      slot->type, minimum));
     return false;
   }
   return true;

@@ -12,8 +12,8 @@ glm::ivec3 KernelPlan::sizeOf(const std::string& memory) const {
                      : textures_[static_cast<std::size_t>(textureNamed(memory))].size;
 }
 
-bool KernelPlan::holdGrid(const char* group, const char* key, const std::string& of,
-                          const std::string& member, std::size_t numbers, int axes) {
+bool KernelPlan::checkGridSize(const char* group, const char* key, const std::string& of,
+                               const std::string& member, std::size_t numbers, int axes) {
   std::vector<std::string> all;
   for (const PlannedBuffer& buffer : buffers_)
     if (buffer.counterOf.empty() && buffer.previousOf.empty()) all.push_back(buffer.name);
@@ -71,9 +71,9 @@ scene::Box KernelPlan::boxOfVolume() const {
 }
 
 void KernelPlan::planGrids() {
-  if (drawn_.terrain) holdGrid("terrain", "height", drawn_.terrain->of, drawn_.terrain->height, 1, 2);
-  if (drawn_.wind) holdGrid("wind", "velocity", drawn_.wind->of, drawn_.wind->velocity, 2, 2);
-  if (drawn_.volume && holdGrid("volume", "show", drawn_.volume->of, drawn_.volume->show, 1, 3))
+  if (drawn_.terrain) checkGridSize("terrain", "height", drawn_.terrain->of, drawn_.terrain->height, 1, 2);
+  if (drawn_.wind) checkGridSize("wind", "velocity", drawn_.wind->of, drawn_.wind->velocity, 2, 2);
+  if (drawn_.volume && checkGridSize("volume", "show", drawn_.volume->of, drawn_.volume->show, 1, 3))
     holdMember("volume", "color", drawn_.volume->of, drawn_.volume->color, false, 1);
 }
 

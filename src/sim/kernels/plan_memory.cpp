@@ -13,10 +13,10 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double mostElements = 1 << 28;
+constexpr double maxElements = 1 << 28;
 /// Maximum number of bytes of memory per object, and number of bytes counted per texel: four channels of 32
 /// bits, and a copy of them.
-constexpr double mostMemory = 8.0 * (1 << 30), texelMemory = 32;
+constexpr double maxMemory = 8.0 * (1 << 30), texelMemory = 32;
 
 }  // namespace
 
@@ -91,14 +91,14 @@ void KernelPlan::sizeOf(const char* list, const KernelMemory& given, int axes, g
     const PlannedNumber part = compiled(given.size.parts[i], {list, given.name, "size"});
     if (mistakes_.size() != before) return;
     const double value = part.expression ? part.expression->at(values({})) : part.number;
-    if (!(value >= 1 && value <= mostElements) || value != std::floor(value))
+    if (!(value >= 1 && value <= maxElements) || value != std::floor(value))
       return mistake({list, given.name, "size"},
-                     fmt::format("a size is a whole number from 1 to {}, found {}", mostElements, value));
+                     fmt::format("a size is a whole number from 1 to {}, found {}", maxElements, value));
     read[static_cast<int>(i)] = static_cast<int>(value);
   }
-  if (1.0 * read.x * read.y * read.z > mostElements)
+  if (1.0 * read.x * read.y * read.z > maxElements)
     return mistake({list, given.name, "size"}, fmt::format("{} x {} x {} are more than {} elements", read.x,
-                                                           read.y, read.z, mostElements));
+                                                           read.y, read.z, maxElements));
   size = read;
   sized = true;
 }
@@ -164,11 +164,11 @@ void KernelPlan::holdBytes() {
     add("buffers", buffer.name, static_cast<double>(buffer.bytes()));
   for (const PlannedTexture& texture : textures_)
     add("textures", texture.name, texelMemory * static_cast<double>(texture.count()));
-  if (all > mostMemory)
-    mistake(path,
-            fmt::format("the buffers and textures take {:.1f} GB, 32 bytes a texel; at most {:.0f} GB "
-                        "are granted: make this one smaller",
-                        all / (1 << 30), mostMemory / (1 << 30)));
+  if (all > maxMemory)
+    mistake(path, fmt::format(
+                      "the buffers and textures need {:.1f} GB (32 bytes per texel), but at most {:.0f} GB "
+                      "are allowed; make this one, the largest, smaller",
+                      all / (1 << 30), maxMemory / (1 << 30)));
 }
 
 }  // namespace simreel::sim

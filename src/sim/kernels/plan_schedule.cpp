@@ -44,7 +44,7 @@ void KernelPlan::useUsualThreads(std::vector<std::string> path, PlannedEntry& en
 void KernelPlan::planEntries(const std::vector<KernelEntry>& given, const char* list,
                              const std::vector<std::string>& announced, int perFrame,
                              std::vector<PlannedEntry>& planned) {
-  constexpr double mostDispatches = 100000;
+  constexpr double maxDispatches = 100000;
   double dispatches = 0;
   for (std::size_t i = 0; i < given.size(); ++i) {
     const KernelEntry& from = given[i];
@@ -77,11 +77,11 @@ void KernelPlan::planEntries(const std::vector<KernelEntry>& given, const char* 
       planThreads(from, path, entry);
     }
     planBetween(from, path, entry);
-    if ((dispatches += 1.0 * perFrame * from.repeat / from.every) > mostDispatches)
+    if ((dispatches += 1.0 * perFrame * from.repeat / from.every) > maxDispatches)
       mistake(at("repeat"),
               fmt::format("{:.0f} dispatches a frame are more than {:.0f}; give fewer repeats, or "
                           "longer loops in the kernel",
-                          dispatches, mostDispatches));
+                          dispatches, maxDispatches));
     if (from.kernel.empty() && from.swap.empty() && from.clear.empty() && from.count.empty())
       mistake(path, "an entry has a \"kernel\", a \"swap\", a \"clear\" or a \"count\"");
     planned.push_back(std::move(entry));

@@ -89,11 +89,11 @@ scene::Formulas columnsFor(const KernelTable& table, const std::vector<KernelSlo
 
 /// Returns the names of the first columns as text.
 std::string firstOf(const std::vector<std::string>& columns) {
-  constexpr std::size_t most = 8;
+  constexpr std::size_t maximum = 8;
   std::string names;
-  for (std::size_t i = 0; i < std::min(most, columns.size()); ++i)
+  for (std::size_t i = 0; i < std::min(maximum, columns.size()); ++i)
     names += (i == 0 ? "" : ", ") + columns[i];
-  return columns.size() > most ? names + ", ..." : names;
+  return columns.size() > maximum ? names + ", ..." : names;
 }
 
 void store(const scene::Formula& formula, const KernelSlot& slot, const Starts& starts, unsigned seed,
@@ -139,8 +139,9 @@ void KernelPlan::planStarts() {
 }
 
 /// Checks the formulas of one member or channel.
-void KernelPlan::holdStart(const char* list, const KernelMemory& given, const scene::Formulas::Named& named,
-                           const KernelSlot& slot, glm::ivec3 size) {
+void KernelPlan::checkStartArray(const char* list, const KernelMemory& given,
+                                 const scene::Formulas::Named& named, const KernelSlot& slot,
+                                 glm::ivec3 size) {
   std::vector<std::string> path = {list, given.name, "start"};
   if (!named.name.empty()) path.push_back(named.name);
   if (named.formula.moving) return mistake(path, "a first value must not change with time or steps");
@@ -171,7 +172,7 @@ void KernelPlan::planStart(const PlannedBuffer& buffer) {
     auto slot = slotFor(buffer.element, named.name);
     if (!slot) slot = slotFor(buffer.fixed, named.name);
     if (slot)
-      holdStart("buffers", *buffer.given, named, *slot, buffer.size);
+      checkStartArray("buffers", *buffer.given, named, *slot, buffer.size);
     else if (named.name.empty())
       mistake({"buffers", buffer.name, "start"},
               fmt::format("an element has the members {}; say which: {{\"{}\": ...}}",
@@ -217,7 +218,7 @@ void KernelPlan::planStart(const PlannedTexture& texture) {
     } else {
       slot.offsets.resize(std::max<std::size_t>(1, std::min<std::size_t>(4, named.formula.components())));
     }
-    holdStart("textures", *texture.given, named, slot, texture.size);
+    checkStartArray("textures", *texture.given, named, slot, texture.size);
   }
 }
 

@@ -35,17 +35,16 @@ KernelPrograms::KernelPrograms(const std::string& name, const std::vector<kernel
 }
 
 /// Throws for more than 2^31 invocations, because a dispatch of that size would occupy a machine for hours.
-void KernelPrograms::holdGroups(const kernels::Kernel& kernel, const glm::uvec3& groups) const {
-  constexpr double mostInvocations = 2147483648.0;
+void KernelPrograms::checkGroupCount(const kernels::Kernel& kernel, const glm::uvec3& groups) const {
+  constexpr double invocationLimit = 2147483648.0;
   const double invocations =
       1.0 * groups.x * groups.y * groups.z * kernel.threads[0] * kernel.threads[1] * kernel.threads[2];
-  if (invocations <= mostInvocations) return;
-  fail(
-      ExitCode::device,
-      "kernels {}: a dispatch of kernel {} has {} x {} x {} groups of {} x {} x {} threads; at most {:.0f} "
-      "threads are granted: check \"threads\", or the buffer that \"indirect\" names",
-      scene::inQuotes(name_), scene::inQuotes(kernel.name), groups.x, groups.y, groups.z, kernel.threads[0],
-      kernel.threads[1], kernel.threads[2], mostInvocations);
+  if (invocations <= invocationLimit) return;
+  fail(ExitCode::device,
+       "kernels {}: a dispatch of kernel {} has {} x {} x {} groups of {} x {} x {} threads, but at most "
+       "{:.0f} threads are allowed; check \"threads\", or the buffer that \"indirect\" names",
+       scene::inQuotes(name_), scene::inQuotes(kernel.name), groups.x, groups.y, groups.z,
+       kernel.threads[0], kernel.threads[1], kernel.threads[2], invocationLimit);
 }
 
 glm::uvec3 KernelPrograms::groups(const KernelPlan& plan, const PlannedEntry& entry,
@@ -71,11 +70,11 @@ void KernelPrograms::dispatch(KernelStore& store, const PlannedEntry& entry, con
   if (entry.indirect >= 0) {
     glm::uvec3 counts;
     store.buffer(entry.indirect).read(entry.offset, std::as_writable_bytes(std::span(&counts, 1)));
-    holdGroups(kernel, counts);
+    checkGroupCount(kernel, counts);
     return programs_[place].dispatchIndirect(store.buffer(entry.indirect), entry.offset);
   }
   const glm::uvec3 groups = store.plan().groups(entry, now);
-  holdGroups(kernel, groups);
+  checkGroupCount(kernel, groups);
   if (groups.x > 0 && groups.y > 0 && groups.z > 0)
     programs_[place].dispatchGroups(groups.x, groups.y, groups.z);
 }

@@ -32,7 +32,7 @@ class KernelPrograms {
     std::vector<std::byte> bytes;  ///< content of the buffer; empty before the first dispatch
   };
 
-  void holdGroups(const kernels::Kernel& kernel, const glm::uvec3& groups) const;
+  void checkGroupCount(const kernels::Kernel& kernel, const glm::uvec3& groups) const;
 
   std::string name_;
   std::vector<kernels::Kernel> kernels_;

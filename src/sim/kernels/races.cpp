@@ -107,8 +107,8 @@ void KernelRaces::dispatch(KernelStore& store, const PlannedEntry& entry, const 
   std::vector<glm::uvec4> met = reports.readAll<glm::uvec4>();
   for (std::size_t i = 0; i < met.size(); ++i) {
     // The second run may miss an access of the first run, because a race changes what invocations do.
-    const bool there = static_cast<int>(met[i].w) >= 0;
-    met[i] = {counted[i].x, counted[i].y, there ? met[i].z : unknown, there ? met[i].w : unknown};
+    const bool known = static_cast<int>(met[i].w) >= 0;
+    met[i] = {counted[i].x, counted[i].y, known ? met[i].z : unknown, known ? met[i].w : unknown};
   }
   collect(store, entry, now, met);
 }
@@ -121,7 +121,7 @@ void KernelRaces::collect(const KernelStore& store, const PlannedEntry& entry, c
                                   glm::uvec3(1));
   for (std::size_t i = 0; i < kernel.places.size(); ++i) {
     const kernels::Place& place = kernel.places[i];
-    if (words[i].x == 0 || !place.kind.starts_with("race") || !told_.emplace(entry.kernel, i).second)
+    if (words[i].x == 0 || !place.kind.starts_with("race") || !reported_.emplace(entry.kernel, i).second)
       continue;
     const bool reads = place.kind == "race-read", shared = isShared(store.plan(), place.what);
     const std::string member = place.part.empty() ? "" : scene::inQuotes(place.part) + " of ";

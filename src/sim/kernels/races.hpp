@@ -34,8 +34,8 @@ class KernelRaces {
   std::string name_;
   KernelPrograms record_, check_;
   std::map<const PlannedEntry*, int> searches_;
-  std::set<std::pair<int, std::size_t>> told_;  ///< kernels and source positions in them for which a race
-                                                ///< was reported
+  std::set<std::pair<int, std::size_t>> reported_;  ///< kernels and source positions in them for which a
+                                                    ///< race was reported
   std::vector<std::string> found_;
 };
 

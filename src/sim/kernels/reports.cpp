@@ -94,20 +94,20 @@ void KernelReports::collect(long frame) {
   gl::barrier();
 }
 
-std::string KernelReports::told() const {
+std::string KernelReports::message() const {
   const auto words = caught_.readAll<glm::uvec4>();
   const auto caught = std::find_if(words.begin(), words.end(), [](const glm::uvec4& w) { return w.x > 0; });
-  return told(static_cast<unsigned>(caught - words.begin()));
+  return message(static_cast<unsigned>(caught - words.begin()));
 }
 
-std::string KernelReports::told(unsigned report) const {
+std::string KernelReports::message(unsigned report) const {
   const auto words = caught_.readAll<glm::uvec4>();
   const unsigned frame = status_.readAll<unsigned>()[3];
-  if (report < places_ || report >= words.size()) return toldOfKernels(words, frame);
-  return finite_.told(static_cast<int>(report - places_), words[report], frame);
+  if (report < places_ || report >= words.size()) return messageOfKernels(words, frame);
+  return finite_.message(static_cast<int>(report - places_), words[report], frame);
 }
 
-std::string KernelReports::toldOfKernels(std::span<const glm::uvec4> words, unsigned frame) const {
+std::string KernelReports::messageOfKernels(std::span<const glm::uvec4> words, unsigned frame) const {
   std::size_t at = 0;
   std::string line;
   int others = 0;

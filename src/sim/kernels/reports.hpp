@@ -31,12 +31,12 @@ class KernelReports {
     return places_ > 0 || finite_.watches() ? &status_ : nullptr;
   }
   /// Returns one line about the first fault. Waits for the GPU.
-  [[nodiscard]] std::string told() const;
+  [[nodiscard]] std::string message() const;
   /// Returns one line about the report that ended the run, by its index in the status.
-  [[nodiscard]] std::string told(unsigned report) const;
+  [[nodiscard]] std::string message(unsigned report) const;
 
  private:
-  [[nodiscard]] std::string toldOfKernels(std::span<const glm::uvec4> words, unsigned frame) const;
+  [[nodiscard]] std::string messageOfKernels(std::span<const glm::uvec4> words, unsigned frame) const;
 
   std::string name_;
   const KernelPlan& plan_;

@@ -151,10 +151,10 @@ void storeSlot(std::byte* element, const KernelSlot& slot, std::size_t i, double
 }
 
 std::string whyTooLarge(const KernelSlot& slot, double value) {
-  constexpr float most = std::numeric_limits<float>::max();
-  if (slot.number != Number::real || !(std::abs(value) > static_cast<double>(most))) return {};
+  constexpr float maximum = std::numeric_limits<float>::max();
+  if (slot.number != Number::real || !(std::abs(value) > static_cast<double>(maximum))) return {};
   return fmt::format("{} is a {}, which holds numbers up to {:.3g}; found {:g}",
-                     slot.path.empty() ? "an element" : "\"" + slot.path + "\"", slot.type, most, value);
+                     slot.path.empty() ? "an element" : "\"" + slot.path + "\"", slot.type, maximum, value);
 }
 
 double loadSlot(const std::byte* element, const KernelSlot& slot, std::size_t i) {

@@ -21,8 +21,8 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::size_t mostBytes = std::size_t{1} << 30;
-constexpr int mostTableSide = 16384;
+constexpr std::size_t byteLimit = std::size_t{1} << 30;
+constexpr int maxTableSide = 16384;
 
 [[noreturn]] void broken(const std::string& name, const std::string& why) {
   fail(ExitCode::inputOutput, "{}: {}", name, why);
@@ -83,19 +83,20 @@ KernelTable tableOfCsv(std::string_view text, const std::string& name) {
       table.values.push_back(value);
     }
   }
-  if (table.values.empty()) broken(name, "there are no rows of numbers");
+  if (table.values.empty()) broken(name, "the file contains no rows of numbers");
   table.size = {static_cast<int>(table.rows()), 1};
   return table;
 }
 
 /// Returns the text of the header. The array's numbers begin where the header ends.
 std::string_view npyHeader(std::string_view bytes, const std::string& name) {
-  if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY")) broken(name, "this is no npy file");
+  if (bytes.size() < 12 || !bytes.starts_with("\x93NUMPY"))
+    broken(name, "the file is not a valid npy file");
   const bool old = bytes[6] == 1;
   std::uint32_t length = 0;
   std::memcpy(&length, bytes.data() + 8, old ? 2 : 4);
   if (std::size_t{length} + (old ? 10 : 12) > bytes.size())
-    broken(name, "the header of this npy file is cut off");
+    broken(name, "the header of the npy file is truncated");
   return bytes.substr(old ? 10 : 12, length);
 }
 
@@ -110,7 +111,7 @@ std::vector<std::size_t> npyShape(std::string_view header, const std::string& na
     }
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(header.data() + i, header.data() + header.size(), value);
-    if (error != std::errc() || value > mostBytes) broken(name, "the shape of this array is too large");
+    if (error != std::errc() || value > byteLimit) broken(name, "the shape of this array is too large");
     shape.push_back(value);
     i = static_cast<std::size_t>(end - header.data());
   }
@@ -138,13 +139,13 @@ KernelTable tableOfNpy(const std::string& bytes, const std::string& name) {
   const std::vector<std::size_t> shape = npyShape(header, name);
   const bool grid = shape.size() == 3;
   const std::size_t line = grid ? shape[1] : 1, columns = shape.size() == 1 ? 1 : shape.back();
-  if (grid && (line == 0 || line > mostTableSide || shape[0] > mostTableSide))
-    broken(name, fmt::format("expected a grid of at most {} x {}", mostTableSide, mostTableSide));
+  if (grid && (line == 0 || line > maxTableSide || shape[0] > maxTableSide))
+    broken(name, fmt::format("expected a grid of at most {} x {}", maxTableSide, maxTableSide));
   const std::size_t rows = shape[0] * line;
   const std::size_t width = kind == 'd' || kind == 'l' ? 8 : kind == 'b' ? 1 : 4;
-  if (rows == 0 || columns == 0 || rows > mostBytes / columns / width ||
+  if (rows == 0 || columns == 0 || rows > byteLimit / columns / width ||
       bytes.size() - begin < rows * columns * width)
-    broken(name, "the array is empty or cut off");
+    broken(name, "the array is empty or truncated");
   if (bytes.size() - begin != rows * columns * width) broken(name, "there are bytes behind the array");
   KernelTable table;
   for (std::size_t c = 0; c < columns; ++c) table.columns.push_back(fmt::format("c{}", c));
@@ -179,7 +180,7 @@ KernelTable tableOfMesh(const std::filesystem::path& file) {
 }
 
 KernelTable tableOfPicture(const std::string& bytes, const std::string& name) {
-  const Picture picture = decodePicture(bytes, name, "picture", mostTableSide);
+  const Picture picture = decodePicture(bytes, name, "picture", maxTableSide);
   double linear[256];
   for (int i = 0; i < 256; ++i) linear[i] = linearOfSrgb(i / 255.0);
   KernelTable table{{"r", "g", "b", "a"}, {}, picture.size};
@@ -196,7 +197,7 @@ KernelTable readKernelTable(const std::filesystem::path& file) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   if (isMeshFile(file)) return tableOfMesh(file);
-  const std::string bytes = readFile(file, "table", mostBytes);
+  const std::string bytes = readFile(file, "table", byteLimit);
   const std::string name = file.filename().string();
   if (ending == ".csv" || ending == ".txt" || ending == ".tsv") return tableOfCsv(bytes, name);
   if (ending == ".npy") return tableOfNpy(bytes, name);

@@ -109,7 +109,7 @@ class Lenia : public Simulation {
     field.display = &display;
     drawables.fields.push_back(field);
   }
-  void carryOver(CarryOver& carry) override { carry.array("cells", cells_[0].buffer()); }
+  void visitCheckpointData(CarryOver& carry) override { carry.array("cells", cells_[0].buffer()); }
   [[nodiscard]] std::vector<StateArray> state() const override { return {{"cells", &cells_[0].buffer()}}; }
   [[nodiscard]] std::vector<double> measure() const override {
     double mass = 0, area = 0;

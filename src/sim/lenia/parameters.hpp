@@ -56,7 +56,9 @@ struct LeniaParameters : ObjectParameters, HasColorRange, scene::Covering, scene
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   void ports(Ports& ports) const override;
-  [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{4} * size.x * size.y; }
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
+    return std::int64_t{4} * size.x * size.y;
+  }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 

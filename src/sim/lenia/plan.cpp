@@ -49,10 +49,10 @@ int LeniaPlan::kernels() const {
 
 void LeniaPlan::makeWeights() {
   const bool smooth = parameters_.model == LeniaParameters::Model::smoothLife;
-  double most = smooth ? parameters_.radius + 0.5 : 0;
+  double maximum = smooth ? parameters_.radius + 0.5 : 0;
   if (!smooth)
-    for (const LeniaKernel& kernel : parameters_.kernels) most = std::max(most, kernel.radius);
-  range_ = static_cast<int>(std::ceil(most));
+    for (const LeniaKernel& kernel : parameters_.kernels) maximum = std::max(maximum, kernel.radius);
+  range_ = static_cast<int>(std::ceil(maximum));
   const std::size_t count = smooth ? 2 : parameters_.kernels.size();
   for (std::size_t k = 0; k < count; ++k) {
     std::vector<double> all;

@@ -92,7 +92,7 @@ class Life : public Simulation {
     started_ = true;
     const long end = plan_.generationAt(frame + 1);
     int done = 0;
-    if (!watch) takeActive(end);
+    if (!watch) runActive(end);
     while (generation_ < end) {
       const int steps = watch ? 1 : stepsAtOnce(end);
       if (engine_)
@@ -135,7 +135,7 @@ class Life : public Simulation {
     drawables.fields.push_back(field);
   }
 
-  void carryOver(CarryOver& carry) override {
+  void visitCheckpointData(CarryOver& carry) override {
     carry.number("started", started_);
     carry.number("generation", generation_);
     carry.number("first generation", firstGeneration_);
@@ -230,7 +230,7 @@ class Life : public Simulation {
 
   /// Computes most of the generations up to `end` with LifeActive. Does so only if many generations are due
   /// and none before the last one is displayed or painted into.
-  void takeActive(long end) {
+  void runActive(long end) {
     if (engine_ || end - generation_ < LifeActive::minGenerations || !LifeActive::suits(size_) ||
         trailQuads_ > 0 || !plan_.strokes().empty())
       return;

@@ -55,7 +55,9 @@ struct LifeParameters : ObjectParameters, HasColorRange, scene::Covering, scene:
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
   [[nodiscard]] bool covers() const override { return display.coversPicture(); }
   void ports(Ports& ports) const override;
-  [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y / 8; }
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
+    return std::int64_t{size.x} * size.y / 8;
+  }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] GridShape shape() const { return {border, shift}; }
 

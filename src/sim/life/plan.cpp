@@ -45,20 +45,20 @@ class Placement {
     if (!cells_.corner || cells_.grid != grid || (turns && grid.x != grid.y))
       return grid / 2 - turnedSize() / 2;
     // Flips and rotates the whole grid for which the file was made.
-    glm::ivec2 least = *cells_.corner, most = least + size_;
+    glm::ivec2 minimum = *cells_.corner, maximum = minimum + size_;
     if (pattern_.flip == LifePattern::Flip::horizontal)
-      std::tie(least.x, most.x) = std::pair(grid.x - most.x, grid.x - least.x);
+      std::tie(minimum.x, maximum.x) = std::pair(grid.x - maximum.x, grid.x - minimum.x);
     if (pattern_.flip == LifePattern::Flip::vertical)
-      std::tie(least.y, most.y) = std::pair(grid.y - most.y, grid.y - least.y);
+      std::tie(minimum.y, maximum.y) = std::pair(grid.y - maximum.y, grid.y - minimum.y);
     switch (pattern_.rotate) {
       case 90:
-        return {grid.x - most.y, least.x};
+        return {grid.x - maximum.y, minimum.x};
       case 180:
-        return grid - most;
+        return grid - maximum;
       case 270:
-        return {least.y, grid.y - most.x};
+        return {minimum.y, grid.y - maximum.x};
       default:
-        return least;
+        return minimum;
     }
   }
   /// Returns the transformed cell relative to the corner.

@@ -90,7 +90,7 @@ class LifeStates : public Simulation {
     drawables.fields.push_back(field);
   }
 
-  void carryOver(CarryOver& carry) override {
+  void visitCheckpointData(CarryOver& carry) override {
     carry.number("started", started_);
     carry.number("generation", generation_);
     carry.number("first generation", firstGeneration_);

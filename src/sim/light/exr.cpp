@@ -26,7 +26,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr double mostPixels = 1e8;
+constexpr double maxPixels = 1e8;
 
 struct Window {
   int left, top, width, height;
@@ -141,11 +141,11 @@ std::vector<float> readPixels(Imf::MultiPartInputFile& file, const Chosen& chose
 
 /// Throws if a window is too large, or if the data window is far too small for the display window.
 void checkSizes(const Window& data, const Window& shown) {
-  if (double(data.width) * data.height > mostPixels || double(shown.width) * shown.height > mostPixels)
+  if (double(data.width) * data.height > maxPixels || double(shown.width) * shown.height > maxPixels)
     throw std::runtime_error("more than 100 million pixels");
-  constexpr double leastShare = 1.0 / 64, smallArea = 1e6;
+  constexpr double minShare = 1.0 / 64, smallArea = 1e6;
   if (double(shown.width) * shown.height > smallArea &&
-      double(data.width) * data.height < leastShare * shown.width * shown.height)
+      double(data.width) * data.height < minShare * shown.width * shown.height)
     throw std::runtime_error(fmt::format("a display window of {}x{} pixels, but only {}x{} pixels of data",
                                          shown.width, shown.height, data.width, data.height));
 }

@@ -122,9 +122,9 @@ class DeformedMesh : public Simulation, public ContactSolid {
     if (plan_.hasTrail()) press(time_);
   }
 
-  void carryOver(CarryOver& carry) override {
+  void visitCheckpointData(CarryOver& carry) override {
     if (plan_.hasTrail()) carry.array("trail", trail_.buffer());
-    if (heights_) heights_->carryOver(carry);
+    if (heights_) heights_->visitCheckpointData(carry);
   }
   void resumed(double time) override {
     time_ = time;
@@ -200,7 +200,7 @@ class DeformedMesh : public Simulation, public ContactSolid {
   RestMesh rest_;
   mutable DeformCpu cpu_;  ///< CPU results; for GPU techniques they are computed only on request
   MeshTopology topology_;
-  MovingLooks looks_;
+  MovingMeshMaterials looks_;
   gl::Vec4Array restPositions_, restNormals_;
   gl::Vec4Array trail_;
   gl::Buffer block_;
@@ -322,7 +322,7 @@ void DeformedMesh::deformMapped(const shader::DeformStep& step) {
   if (drawn.drawn == nullptr) drawn.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   current_ = (current_ + 1) % vertices_.size();
   Vertices& next = vertices_[current_];
-  takeFence(next.drawn, true);
+  pollFence(next.drawn, true);
   clock_.lap(&StageTimes::transfer);
   const auto memory = [&](const gl::Vec4Array& array) {
     return std::span(static_cast<glm::vec4*>(array.buffer().memory()), rest_.positions.size());

@@ -36,7 +36,7 @@ class HeightField {
   /// first call sets the heights at the start of the run. `positions` are in the mesh's local space;
   /// `component` is the index of the component with the height (1 or 0).
   void setHeights(const gl::Vec4Array& positions, int component = 1);
-  void carryOver(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
+  void visitCheckpointData(CarryOver& carry) { carry.array("heights", heights_.buffer()); }
   /// Returns the heights and the time within the frame as kernel inputs. The arguments are the same as for
   /// HeightPlan::at().
   [[nodiscard]] HeightPart part(int substep, int substeps, float margin, float bounce) const;

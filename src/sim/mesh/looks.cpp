@@ -46,13 +46,13 @@ scene::Map withOpacity(const scene::Map& color, const scene::Image& from) {
     for (int x = 0; x < image.size.x; ++x) {
       const int fromX = static_cast<int>(std::int64_t{x} * from.size.x / image.size.x);
       const int fromY = static_cast<int>(std::int64_t{y} * from.size.y / image.size.y);
-      const std::size_t there =
+      const std::size_t texel =
           4 * (static_cast<std::size_t>(fromY) * static_cast<std::size_t>(from.size.x) +
                static_cast<std::size_t>(fromX));
       const std::size_t here = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) +
                                     static_cast<std::size_t>(x));
       image.rgba[here + 3] =
-          itsOwn ? from.rgba[there + 3] : static_cast<std::uint8_t>(opacity.level(fromX, fromY));
+          itsOwn ? from.rgba[texel + 3] : static_cast<std::uint8_t>(opacity.level(fromX, fromY));
     }
   return {{}, std::make_shared<const scene::Image>(std::move(image)), color.wrapU, color.wrapV};
 }
@@ -122,20 +122,20 @@ std::vector<int> usedOf(const Mesh& mesh) {
 
 }  // namespace
 
-scene::Material plainLook(const scene::Object& object, const Mesh& mesh) {
+scene::Material fallbackMaterial(const scene::Object& object, const Mesh& mesh) {
   scene::Material material = object.material;
   if (!mesh.colors.empty() && !object.materialKeys.contains("color")) material.color = glm::vec3(1);
   return material;
 }
 
-std::vector<MeshLook> looksOf(const scene::Object& object, const Mesh& mesh) {
+std::vector<MaterialPart> looksOf(const scene::Object& object, const Mesh& mesh) {
   if (object.hasMaterial() || mesh.materials.empty()) return {};
   const Images images = decoded(mesh);
   const std::vector<int> used = usedOf(mesh);
-  std::vector<MeshLook> looks;
+  std::vector<MaterialPart> looks;
   for (const int number : used) {
-    MeshLook look;
-    look.material = number < 0 ? plainLook(object, mesh)
+    MaterialPart look;
+    look.material = number < 0 ? fallbackMaterial(object, mesh)
                                : materialOf(mesh.materials.at(static_cast<std::size_t>(number)), images,
                                             object.material.castsShadow);
     if (used.size() > 1) look.mesh = partOf(mesh, number);
@@ -144,10 +144,10 @@ std::vector<MeshLook> looksOf(const scene::Object& object, const Mesh& mesh) {
   return looks;
 }
 
-MovingLooks::MovingLooks(const scene::Object& object, const Mesh& mesh) {
-  std::vector<MeshLook> looks = looksOf(object, mesh);
+MovingMeshMaterials::MovingMeshMaterials(const scene::Object& object, const Mesh& mesh) {
+  std::vector<MaterialPart> looks = looksOf(object, mesh);
   if (looks.empty()) {
-    parts_.push_back({plainLook(object, mesh), {}, 0});
+    parts_.push_back({fallbackMaterial(object, mesh), {}, 0});
     return;
   }
   const std::vector<int> used = usedOf(mesh);
@@ -164,7 +164,7 @@ MovingLooks::MovingLooks(const scene::Object& object, const Mesh& mesh) {
   }
 }
 
-void MovingLooks::publish(const Surface& surface, Drawables& drawables) const {
+void MovingMeshMaterials::publish(const Surface& surface, Drawables& drawables) const {
   for (const Part& part : parts_) {
     Surface shown = surface;
     if (part.indexCount > 0) {
@@ -180,8 +180,8 @@ std::string ignoredLooks(const scene::Object& object, const Mesh& mesh) {
   std::vector<std::string> all = mesh.undrawn;
   if (!object.hasMaterial()) all.insert(all.end(), mesh.ignored.begin(), mesh.ignored.end());
   if (all.empty()) return {};
-  constexpr std::size_t most = 8;
-  const std::size_t said = std::min(most, all.size());
+  constexpr std::size_t maximum = 8;
+  const std::size_t said = std::min(maximum, all.size());
   std::string line =
       fmt::format("{}", fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(said), "; "));
   if (said < all.size()) line += fmt::format("; and {} more", all.size() - said);

@@ -10,7 +10,7 @@
 namespace simreel::sim {
 
 /// Triangles of a mesh that share one material.
-struct MeshLook {
+struct MaterialPart {
   scene::Material material;
   Mesh mesh;  ///< mesh of these triangles; empty if the whole mesh has this material
 };
@@ -18,18 +18,18 @@ struct MeshLook {
 /// Returns the materials that the mesh's file defines, in file order, each with its triangles. Triangles
 /// without a material get the object's material. Empty if the file defines no materials or the scene gives
 /// the object a material. Throws UserError for an unreadable texture.
-[[nodiscard]] std::vector<MeshLook> looksOf(const scene::Object& object, const Mesh& mesh);
+[[nodiscard]] std::vector<MaterialPart> looksOf(const scene::Object& object, const Mesh& mesh);
 
 /// Returns the material for a mesh if neither the scene nor the file defines one: the object's material, in
 /// white if the mesh has vertex colours.
-[[nodiscard]] scene::Material plainLook(const scene::Object& object, const Mesh& mesh);
+[[nodiscard]] scene::Material fallbackMaterial(const scene::Object& object, const Mesh& mesh);
 
 /// Materials of a mesh whose vertices move. Each material is one surface; all surfaces use the same
 /// vertices.
-class MovingLooks {
+class MovingMeshMaterials {
  public:
   /// Throws the errors of looksOf().
-  MovingLooks(const scene::Object& object, const Mesh& mesh);
+  MovingMeshMaterials(const scene::Object& object, const Mesh& mesh);
   /// Adds one surface per material to `drawables`: copies of `surface`, each with the indices and the
   /// material of its triangles.
   void publish(const Surface& surface, Drawables& drawables) const;

@@ -34,11 +34,11 @@ class RigidMesh : public Simulation, public ContactSolid {
   RigidMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh,
             const Setting& setting)
       : parameters_(parameters),
-        material_(plainLook(object, mesh)),
+        material_(fallbackMaterial(object, mesh)),
         frameSeconds_(setting.frameSeconds),
         time_(setting.startTime),
         buffers_(object.name, mesh) {
-    for (MeshLook& look : looksOf(object, mesh)) {
+    for (MaterialPart& look : looksOf(object, mesh)) {
       Part part{std::move(look.material), std::nullopt};
       if (!look.mesh.indices.empty()) part.buffers.emplace(object.name, look.mesh);
       parts_.push_back(std::move(part));

@@ -19,7 +19,7 @@ enum class MeshShape { plane, sphere, torus, grass, file, box, cylinder, cone, d
 enum class MeshSides { fitting, one, both };
 
 /// Parameters of the object kind "mesh".
-struct MeshParameters : ObjectParameters, scene::Outlined, scene::Tinted {
+struct MeshParameters : ObjectParameters, scene::Outlined, scene::HasTint {
   MeshShape shape = MeshShape::plane;
   std::filesystem::path file;
   glm::vec3 size{4, 0, 4};         ///< width, height and depth in metres

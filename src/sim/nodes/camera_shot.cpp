@@ -98,17 +98,17 @@ class FileShot final : public scene::CameraShot {
       : speed_(wanted.speed), start_(wanted.start), loop_(wanted.loop) {
     const FileCamera& camera = chosen(read, wanted.name);
     name_ = read.nodes[static_cast<std::size_t>(camera.node)].name;
-    constexpr double least = 1, most = 170;
+    constexpr double minimum = 1, maximum = 170;
     angle_ = camera.fieldOfView * (180 / std::numbers::pi);
     if (!camera.perspective) {
       height_ = camera.height;
       if (!(*height_ >= scene::positive.min && *height_ < scene::positive.max))
         fail(ExitCode::usage, "camera \"{}\" of the file has a view {:g} m high, which cannot be drawn",
              name_, *height_);
-    } else if (!(angle_ >= least && angle_ <= most))
+    } else if (!(angle_ >= minimum && angle_ <= maximum))
       fail(ExitCode::usage,
            "camera \"{}\" of the file has a field of view of {:.4g} degrees; it must be {} to {}", name_,
-           angle_, least, most);
+           angle_, minimum, maximum);
     near_ = camera.near;
     // The near plane of an orthographic camera may be at the eye. The minimum distance makes no visible
     // difference.
@@ -234,7 +234,7 @@ std::shared_ptr<const scene::CameraShot> openCamera(const scene::CameraFile& wan
     fail(ExitCode::usage, "{} is neither .gltf nor .glb; cameras need one of these formats",
          wanted.file.string());
   const std::string text = readFile(wanted.file, "camera");
-  CameraNodes read = unpacked<CameraNodes>(readApart(wanted.file, [&] {
+  CameraNodes read = unpacked<CameraNodes>(readInSeparateProcess(wanted.file, [&] {
     auto made = readCameraNodes(wanted.file, text);
     return packed(std::move(made));
   }));

@@ -86,7 +86,7 @@ std::vector<FigureAnimation> GltfNodes::animations() {
 std::optional<FigureChannel> GltfNodes::channelOf(const JsonValue& animation, const JsonValue& channel,
                                                   const std::string& name) {
   using Path = FigureChannel::Path;
-  using Way = FigureChannel::Way;
+  using Interpolation = FigureChannel::Interpolation;
   const JsonValue target = channel.at("target");
   const std::string path = target.at("path").text();
   if (!target.has("node") || path == "weights" || path == "pointer") return std::nullopt;
@@ -108,11 +108,13 @@ std::optional<FigureChannel> GltfNodes::channelOf(const JsonValue& animation, co
   const std::string way = textIfThere(sampler, "interpolation");
   if (!way.empty() && way != "STEP" && way != "LINEAR" && way != "CUBICSPLINE")
     refuse(fmt::format("by the interpolation \"{}\", which glTF does not define", way));
-  made.way = way == "STEP" ? Way::step : way == "CUBICSPLINE" ? Way::cubic : Way::linear;
+  made.way = way == "STEP"          ? Interpolation::step
+             : way == "CUBICSPLINE" ? Interpolation::cubic
+                                    : Interpolation::linear;
   made.times = document_.floats(GltfDocument::number(sampler, "input"), 1);
   const std::size_t width = made.path == Path::rotation ? 4 : 3;
   made.values = document_.floats(GltfDocument::number(sampler, "output"), width);
-  const std::size_t expected = made.times.size() * width * (made.way == Way::cubic ? 3 : 1);
+  const std::size_t expected = made.times.size() * width * (made.way == Interpolation::cubic ? 3 : 1);
   if (made.values.size() != expected)
     refuse(fmt::format("by {} values at {} times", made.values.size() / width, made.times.size()));
   for (std::size_t k = 0; k < made.times.size(); ++k)

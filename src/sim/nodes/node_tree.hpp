@@ -35,10 +35,10 @@ struct FigureNode {
 /// Animation of one property of a node (glTF 2.0, 3.11 and appendix C).
 struct FigureChannel {
   enum class Path { translation, rotation, scale };
-  enum class Way { step, linear, cubic };
+  enum class Interpolation { step, linear, cubic };
   int node = 0;
   Path path = Path::translation;
-  Way way = Way::linear;
+  Interpolation way = Interpolation::linear;
   std::vector<float> times;   ///< times of the keys in seconds, increasing
   std::vector<float> values;  ///< 3 or 4 values (x y z w) per key; for `cubic`: in-tangent, value and
                               ///< out-tangent per key

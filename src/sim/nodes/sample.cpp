@@ -57,8 +57,8 @@ glm::dquat slerp(const glm::dquat& from, const glm::dquat& to, double u) {
 }
 
 glm::dvec4 sample(const FigureChannel& channel, double seconds) {
-  using Way = FigureChannel::Way;
-  const bool cubic = channel.way == Way::cubic;
+  using Interpolation = FigureChannel::Interpolation;
+  const bool cubic = channel.way == Interpolation::cubic;
   const auto value = [&](std::size_t key) { return keyAt(channel, cubic ? 3 * key + 1 : key); };
   const auto& times = channel.times;
   const auto next =
@@ -66,7 +66,7 @@ glm::dvec4 sample(const FigureChannel& channel, double seconds) {
                                                 [](double at, float key) { return at < double{key}; }) -
                                times.begin());
   if (next == 0) return finished(channel, value(0));
-  if (next == times.size() || channel.way == Way::step) return finished(channel, value(next - 1));
+  if (next == times.size() || channel.way == Interpolation::step) return finished(channel, value(next - 1));
   const double length = double{times[next]} - double{times[next - 1]};
   const double u = (seconds - double{times[next - 1]}) / length;
   const glm::dvec4 from = value(next - 1);

@@ -15,7 +15,7 @@ namespace {
 /// Maximum number of rounds, and maximum number of rounds times balls, which take some seconds; at least
 /// four rounds are computed. If balls still overlap afterwards, contact moves them apart during the run
 /// without adding speed.
-constexpr std::size_t mostRounds = 200, mostVisits = 1'000'000;
+constexpr std::size_t roundLimit = 200, maxVisits = 1'000'000;
 /// Overlap that remains, as a fraction of the distance of two balls.
 constexpr float remains = 1e-3F;
 
@@ -31,12 +31,12 @@ Cell cellOf(const glm::vec4& p, float perCell) {
 
 /// Moves two balls apart if they overlap. Returns true if they overlapped.
 bool part(glm::vec4& a, glm::vec4& b, float reach) {
-  const glm::vec3 apart = glm::vec3(a) - glm::vec3(b);
-  const float squared = shader::exactDot(apart, apart);
+  const glm::vec3 separation = glm::vec3(a) - glm::vec3(b);
+  const float squared = shader::exactDot(separation, separation);
   if (squared >= reach * reach * (1 - remains)) return false;
   const bool same = squared < 1e-20F;
   const float inverse = shader::exactInverseSqrt(std::max(squared, 1e-20F));
-  const glm::vec3 normal = same ? glm::vec3(0, 1, 0) : apart * inverse;
+  const glm::vec3 normal = same ? glm::vec3(0, 1, 0) : separation * inverse;
   const glm::vec3 push = normal * (0.5F * (reach - (same ? 0.0F : squared * inverse)));
   a += glm::vec4(push, 0);
   b -= glm::vec4(push, 0);
@@ -55,7 +55,7 @@ void moveApart(ParticleCloud& cloud, const shader::BallConstants& balls) {
                    : balls.radius * shader::exactPow(cloud.positions[i].w * balls.perMassReference,
                                                      balls.sizeExponent);
   const std::size_t rounds =
-      std::clamp<std::size_t>(mostVisits / std::max<std::size_t>(count, 1), 4, mostRounds);
+      std::clamp<std::size_t>(maxVisits / std::max<std::size_t>(count, 1), 4, roundLimit);
   bool overlaps = true;
   for (std::size_t round = 0; round < rounds && overlaps; ++round) {
     Cells cells;
@@ -64,11 +64,11 @@ void moveApart(ParticleCloud& cloud, const shader::BallConstants& balls) {
     overlaps = false;
     for (const auto& [cell, members] : cells)
       for (int around = 0; around < 27; ++around) {
-        const auto there =
+        const auto found =
             cells.find({cell[0] + around % 3 - 1, cell[1] + around / 3 % 3 - 1, cell[2] + around / 9 - 1});
-        if (there == cells.end()) continue;
+        if (found == cells.end()) continue;
         for (const std::size_t i : members)
-          for (const std::size_t j : there->second)
+          for (const std::size_t j : found->second)
             if (i < j && part(cloud.positions[i], cloud.positions[j], radii[i] + radii[j])) overlaps = true;
       }
   }

@@ -101,13 +101,13 @@ namespace {
 /// Returns `count` after a check that lists of `listed` words per particle fit the device.
 int checked(const std::string& name, int count, int listed) {
   const std::int64_t each = std::int64_t{4} * listed;
-  const std::int64_t most =
+  const std::int64_t maximum =
       std::min(gl::limits().storageBlockBytes, 16 * gl::limits().texelBufferTexels) / each;
-  if (count > most)
+  if (count > maximum)
     fail(ExitCode::device,
          "contact of particles \"{}\" takes at most {} of them on this device, not {} "
          "(GL_MAX_SHADER_STORAGE_BLOCK_SIZE is {}); use fewer",
-         name, most, count, gl::limits().storageBlockBytes);
+         name, maximum, count, gl::limits().storageBlockBytes);
   return count;
 }
 

@@ -103,12 +103,13 @@ class Collector {
   }
   /// Warns once about columns that are not used, because their names may be misspelt.
   void noteUnused(const std::vector<std::string>& names) const {
-    constexpr std::size_t most = 8;
+    constexpr std::size_t maximum = 8;
     if (names.empty()) return;
     std::string list = fmt::format(
-        "{}", fmt::join(names.begin(),
-                        names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())), ", "));
-    if (names.size() > most) list += fmt::format(" and {} more", names.size() - most);
+        "{}",
+        fmt::join(names.begin(),
+                  names.begin() + static_cast<std::ptrdiff_t>(std::min(maximum, names.size())), ", "));
+    if (names.size() > maximum) list += fmt::format(" and {} more", names.size() - maximum);
     warnLinesOnce("simreel: warning: " +
                   oneLine(fmt::format("{}: not used: column{} {}; particles have x, y, z, vx, vy, vz, mass",
                                       file_, names.size() == 1 ? "" : "s", list)));

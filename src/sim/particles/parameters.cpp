@@ -37,9 +37,9 @@ void includeBall(std::optional<scene::Box>& box, const glm::vec3& middle, const 
 }
 
 void includeFile(std::optional<scene::Box>& box, const ParticleGroup& group) {
-  constexpr int most = 1 << 24;
+  constexpr int maximum = 1 << 24;
   try {
-    ParticleCloud cloud = readParticles(group.file, group.totalMass, most);
+    ParticleCloud cloud = readParticles(group.file, group.totalMass, maximum);
     placeGroup(cloud, group);
     for (const glm::vec4& particle : cloud.positions) scene::include(box, glm::vec3(particle));
   } catch (const UserError&) {  // The constructor of the simulation reports this error.
@@ -62,13 +62,13 @@ void includeGroup(std::optional<scene::Box>& box, const ParticleGroup& group) {
 /// the widening of their velocity cone.
 void includeEmitter(std::optional<scene::Box>& box, const Emitter& emitter, const glm::vec3& acceleration) {
   constexpr int looks = 16;
-  const float apart = std::min(emitter.spread / 57.29578F, 1.0F);
+  const float spreadAngle = std::min(emitter.spread / 57.29578F, 1.0F);
   for (const auto& key : emitter.position.keys()) {
     const glm::vec3 velocity = emitter.velocity.at(key.time);
     for (int i = 0; i <= looks; ++i) {
       const float t = emitter.lifetime * static_cast<float>(i) / looks;
       includeBall(box, key.value + velocity * t + acceleration * (0.5F * t * t),
-                  glm::vec3(emitter.radius + 0.7F * apart * glm::length(velocity) * t));
+                  glm::vec3(emitter.radius + 0.7F * spreadAngle * glm::length(velocity) * t));
     }
   }
 }
@@ -288,7 +288,7 @@ std::vector<MeasuredRange> ParticleParameters::measuredRanges() {
   return measuredRange("look", "colorFrom", "colorTo", autoColors, colorRange.x, colorRange.y);
 }
 
-ParticleParameters ParticleParameters::inStep(int contactSubsteps) const {
+ParticleParameters ParticleParameters::withContactSubsteps(int contactSubsteps) const {
   ParticleParameters all = *this;
   if (meetsCloths() && contactSubsteps > 0) {
     all.substeps = contactSubsteps;
@@ -343,7 +343,7 @@ std::span<const scene::Quantity> ParticleParameters::quantities() const {
 }
 
 // Particles may fall without end, so only the positions of emitters determine the result.
-std::optional<float> ParticleParameters::footing() const {
+std::optional<float> ParticleParameters::supportHeight() const {
   if (emitters.empty()) return std::nullopt;
   const auto falls = [&](const Emitter& emitter) {
     const auto& keys = emitter.velocity.keys();

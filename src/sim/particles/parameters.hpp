@@ -125,12 +125,12 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   /// Returns the height in metres of the lowest point of all emitters whose particles do not all fall. The
   /// result is infinity if the particles of all emitters fall, so that only other objects determine the
   /// ground. It is empty if there are no emitters.
-  [[nodiscard]] std::optional<float> footing() const override;
+  [[nodiscard]] std::optional<float> supportHeight() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
-  [[nodiscard]] bool wanders() const override { return true; }
+  [[nodiscard]] bool motionIsUnpredictable() const override { return true; }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override;
-  [[nodiscard]] std::int64_t leastBlockBytes() const override {
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
     std::int64_t bytes = 0;
     for (const ParticleGroup& group : groups)
       if (group.shape != ParticleGroup::Shape::file) bytes += std::int64_t{16} * group.count;
@@ -150,7 +150,7 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   [[nodiscard]] int substepsPerFrame(double frameSeconds) const;
   /// Returns a copy with `contactSubsteps` substeps per frame if the particles collide with cloths; 0 keeps
   /// the number of the parameters.
-  [[nodiscard]] ParticleParameters inStep(int contactSubsteps) const;
+  [[nodiscard]] ParticleParameters withContactSubsteps(int contactSubsteps) const;
 
  private:
   void describeContact(scene::Fields& fields);

@@ -48,7 +48,8 @@ class Particles : public Simulation, public LockStep {
   Particles(const scene::Object& object, const Setting& setting)
       : name_(object.name),
         material_(object.material),
-        plan_(parametersOf<ParticleParameters>(object).inStep(setting.together<LockStep>().steps),
+        plan_(parametersOf<ParticleParameters>(object).withContactSubsteps(
+                  setting.together<LockStep>().steps),
               setting.seed, setting.frameSeconds, maxParticles(), shapesIn(setting)) {
     const ParticleParameters& p = plan_.parameters();
     touch_ = Touch(name_, setting,
@@ -143,13 +144,13 @@ class Particles : public Simulation, public LockStep {
     if (trails_) drawables.surfaces.push_back(trails_->surface(positions_[0], velocities_));
   }
 
-  void carryOver(CarryOver& carry) override {
-    plan_.carryOver(carry);
+  void visitCheckpointData(CarryOver& carry) override {
+    plan_.visitCheckpointData(carry);
     carry.number("primed", primed_);
     carry.array("positions", positions_[0].buffer());
     carry.array("velocities", velocities_.buffer());
     carry.array("accelerations", accelerations_.buffer());
-    if (trails_) trails_->carryOver(carry);
+    if (trails_) trails_->visitCheckpointData(carry);
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {

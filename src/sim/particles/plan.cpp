@@ -35,7 +35,7 @@ double ringSize(const Emitter& emitter) {
          1.0;
 }
 
-constexpr double mostNeighbours = 256;
+constexpr double maxNeighbours = 256;
 
 int centralCount(const ParticleGroup& group) {
   return group.shape != ParticleGroup::Shape::file && group.centralMass > 0 ? 1 : 0;
@@ -100,7 +100,7 @@ shader::BallConstants ParticlePlan::planBalls() const {
   // A ball of radius R has room for about 3.6 (1 + R / r)^2 neighbours of radius r.
   const double ratio = scale(heaviest) / scale(lightest);
   const double neighbours = 3.96 * (1 + ratio) * (1 + ratio);
-  if (neighbours > mostNeighbours)
+  if (neighbours > maxNeighbours)
     fail(
         ExitCode::usage,
         "particles in contact: the largest has {:.3g} times the radius of the smallest, and 7 times is the "

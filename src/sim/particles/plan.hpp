@@ -51,7 +51,7 @@ class ParticlePlan {
   /// Returns the data of the substeps of the frame that starts at `time` (seconds). Frames must be
   /// requested in order, because emitters continue from the previous frame.
   [[nodiscard]] std::vector<shader::ParticleStep> frame(double time);
-  void carryOver(CarryOver& carry) {
+  void visitCheckpointData(CarryOver& carry) {
     carry.number("steps begun", done_);
     for (Ring& ring : rings_) {
       carry.number("born", ring.born);

@@ -24,13 +24,13 @@ ParticleTrails::ParticleTrails(const std::string& name, const TrailParameters& p
       room_(parameters.frames + 1),
       record_(gl::kernelDefines(fast)),
       gather_(gl::kernelDefines(fast)) {
-  if (const std::int64_t points = std::int64_t{count_} * room_; points > mostTrailPoints)
+  if (const std::int64_t points = std::int64_t{count_} * room_; points > maxTrailPoints)
     fail(ExitCode::usage,
          "particles \"{}\": {} trails of {} points are {}, more than the {} that fit here; lower "
          "\"frames\", or "
          "draw fewer with \"every\": {}",
-         name, count_, room_, points, mostTrailPoints,
-         (std::int64_t{particles} * room_ + mostTrailPoints - 1) / mostTrailPoints);
+         name, count_, room_, points, maxTrailPoints,
+         (std::int64_t{particles} * room_ + maxTrailPoints - 1) / maxTrailPoints);
   history_ = gl::Vec4Array(name + " history", count_ * room_);
   points_ = gl::Vec4Array(name + " points of trails", count_ * room_);
   spans_ = gl::Buffer(name + " spans of trails", std::size_t{16} * static_cast<std::size_t>(count_));
@@ -79,7 +79,7 @@ Surface ParticleTrails::surface(const gl::Vec4Array& positions, const gl::Vec4Ar
   return tubes_.surface(material_);
 }
 
-void ParticleTrails::carryOver(CarryOver& carry) {
+void ParticleTrails::visitCheckpointData(CarryOver& carry) {
   carry.number("slot of trails", slot_);
   carry.number("frames of trails", recorded_);
   carry.array("history", history_.buffer());

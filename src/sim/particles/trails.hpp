@@ -25,7 +25,7 @@ struct TrailParameters {
 };
 
 /// Maximum number of points in all trails of one object.
-inline constexpr int mostTrailPoints = 1 << 18;
+inline constexpr int maxTrailPoints = 1 << 18;
 
 /// Interface of glsl/particles/trails/record.comp.
 struct RecordTrail {
@@ -69,7 +69,7 @@ class ParticleTrails {
   /// Computes the tubes of the current frame and returns them as a surface, whose pointers are valid while
   /// this object exists.
   [[nodiscard]] Surface surface(const gl::Vec4Array& positions, const gl::Vec4Array& velocities);
-  void carryOver(CarryOver& carry);
+  void visitCheckpointData(CarryOver& carry);
   /// Reads back the tubes of the last call of surface().
   [[nodiscard]] MeshTable table() const { return tubes_.table(); }
 

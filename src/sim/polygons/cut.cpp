@@ -13,7 +13,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr std::uint64_t mostTests = 400'000'000;
+constexpr std::uint64_t maxTests = 400'000'000;
 
 double doubleArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -150,7 +150,7 @@ void PolygonCutter::cutEars(const glm::dvec3& normal, std::span<const glm::vec3>
                                       // thin fans
       continue;
     }
-    if (++tests_ > mostTests)
+    if (++tests_ > maxTests)
       throw PolygonProblem("has hollow faces of too many corners to be cut into triangles; cut them up");
     at = ring.next(at);
     ++passed;

@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 12> quiet = {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, std::size_t most) : lines_(text), most_(most) {}
+  ObjReader(std::string_view text, std::size_t maximum) : lines_(text), most_(maximum) {}
 
   ObjFile read() {
     if (lines_.rest().starts_with("\xFF\xFE") || lines_.rest().starts_with("\xFE\xFF"))
@@ -114,16 +114,16 @@ class ObjReader {
     return *value;
   }
 
-  /// Parses the numbers of a line, of which there must be at least `least`. Missing numbers are 0.
+  /// Parses the numbers of a line, of which there must be at least `minimum`. Missing numbers are 0.
   template <std::size_t count>
-  std::array<float, count> numbers(std::string_view rest, std::size_t least) const {
+  std::array<float, count> numbers(std::string_view rest, std::size_t minimum) const {
     std::array<float, count> values{};
     std::size_t found = 0;
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
       if (found == count) wrong(fmt::format("more than {} numbers", count));
       values[found++] = number(word);
     }
-    if (found < least) wrong(fmt::format("{} numbers, and {} are expected", found, least));
+    if (found < minimum) wrong(fmt::format("{} numbers, and {} are expected", found, minimum));
     return values;
   }
 
@@ -261,8 +261,8 @@ class ObjReader {
 
 }  // namespace
 
-ObjFile parseObj(std::string_view text, std::size_t most) {
-  return ObjReader(text, most).read();
+ObjFile parseObj(std::string_view text, std::size_t maximum) {
+  return ObjReader(text, maximum).read();
 }
 
 }  // namespace simreel::sim

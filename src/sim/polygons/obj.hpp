@@ -35,8 +35,8 @@ struct ObjFile {
 /// Parses the text of an OBJ file (Wavefront, Appendix B1 of the Advanced Visualizer's manual). Comments
 /// begin with '#', also after values; a backslash at the end of a line continues the line. Vertex weights w
 /// are ignored, because they apply only to curves. Throws PolygonProblem, naming the line, for malformed or
-/// non-finite numbers, missing vertices, faces with more than maxCorners corners, and more than `most`
+/// non-finite numbers, missing vertices, faces with more than maxCorners corners, and more than `maximum`
 /// vertices or faces.
-[[nodiscard]] ObjFile parseObj(std::string_view text, std::size_t most);
+[[nodiscard]] ObjFile parseObj(std::string_view text, std::size_t maximum);
 
 }  // namespace simreel::sim

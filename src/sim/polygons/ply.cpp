@@ -41,7 +41,7 @@ double binaryNumber(const char* at, const PlyType& type, bool bigEndian) {
 }
 
 /// Returns the minimum number of bytes of an item.
-std::uint64_t leastBytes(const PlyElement& element, bool binary) {
+std::uint64_t minBytes(const PlyElement& element, bool binary) {
   std::uint64_t bytes = 0;
   for (const PlyProperty& property : element.properties)
     bytes += !binary ? 2 : property.counts ? property.counts->bytes : property.type.bytes;
@@ -89,8 +89,8 @@ class PlyText {
 
 /// Converts the length of a list to an integer. Throws if it is not a valid count.
 std::size_t lengthOf(double count, const PlyElement& element, std::uint64_t item) {
-  constexpr double most = 4e9;
-  if (!(count >= 0 && count < most) || count != std::floor(count))
+  constexpr double maximum = 4e9;
+  if (!(count >= 0 && count < maximum) || count != std::floor(count))
     throw PolygonProblem(fmt::format("has a list of {} values {}", count, whichItem(element, item)));
   return static_cast<std::size_t>(count);
 }
@@ -120,8 +120,8 @@ PlyFile::PlyFile(std::string_view text) : bytes_(text.size()) {
       body_ = text;
       if (!hasFormat_) throw PolygonProblem("has no format in its header");
       for (const PlyElement& element : elements_)
-        if (const std::uint64_t least = leastBytes(element, binary_);
-            least > 0 && element.count > (bytes_ + 1) / least)
+        if (const std::uint64_t minimum = minBytes(element, binary_);
+            minimum > 0 && element.count > (bytes_ + 1) / minimum)
           throw PolygonProblem(fmt::format("promises {} elements in {} bytes", element.count, bytes_));
       return;
     }

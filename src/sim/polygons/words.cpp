@@ -73,8 +73,8 @@ bool TextLines::next(std::string_view& line) {
 }
 
 std::string inQuotes(std::string_view line) {
-  constexpr std::size_t most = 60;
-  return fmt::format("\"{}\"", oneLine(withoutBlanks(line).substr(0, most)));
+  constexpr std::size_t maximum = 60;
+  return fmt::format("\"{}\"", oneLine(withoutBlanks(line).substr(0, maximum)));
 }
 
 }  // namespace simreel::sim

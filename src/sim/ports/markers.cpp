@@ -11,14 +11,14 @@ const PortInfo Touchable::port = {
         "body or water \"collides\": true, or a cloth \"contact\": true",
 };
 
-const PortInfo Way::port = {
+const PortInfo PathPort::port = {
     .name = "path",
     .lacks = ", which has no path",
     .none = "the scene has no path: add a cave",
     .when = When::afterFrame,
 };
 
-const PortInfo Middle::port = {
+const PortInfo CentrePort::port = {
     .name = "place",
     .lacks = "",
     .none = "the scene has none",

@@ -10,12 +10,12 @@ struct Touchable {
 };
 
 /// Port of objects that publish a path (sim/core/path.hpp) for cameras and lights to follow.
-struct Way {
+struct PathPort {
   static const PortInfo port;
 };
 
 /// Port of every object for its centre, at which a camera may aim.
-struct Middle {
+struct CentrePort {
   static const PortInfo port;
 };
 

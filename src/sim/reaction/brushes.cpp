@@ -69,9 +69,9 @@ std::vector<StrokeWay> strokeLegs(const StrokeParameters& stroke) {
 Brush ReactionPlan::onMesh(StrokeWay way, float radius, double from, double to) const {
   const auto placed = [&](const glm::vec3& place, double time) {
     const glm::dmat3 turned(rotationMatrix(parameters_.mesh->rotation.at(time)));
-    const glm::dvec3 apart = glm::dvec3(place) - glm::dvec3(parameters_.mesh->position.at(time));
+    const glm::dvec3 offset = glm::dvec3(place) - glm::dvec3(parameters_.mesh->position.at(time));
     const glm::dvec3 own =
-        glm::transpose(turned) * apart / static_cast<double>(parameters_.mesh->scale.at(time));
+        glm::transpose(turned) * offset / static_cast<double>(parameters_.mesh->scale.at(time));
     return glm::vec3((own - cells_.low) * perMetre_);
   };
   way = {placed(way.from, from), placed(way.to, to)};
@@ -142,7 +142,7 @@ void ReactionPlan::checkBrushes(const std::string& object) const {
 
 void evaluateBrush(const ReactionPlan::Painted& painted, RuleField& field) {
   std::vector<float>& cells = field.stage[static_cast<std::size_t>(painted.species)];
-  const std::size_t places = field.links != nullptr ? field.weights.size() - placeMaps : 0;
+  const std::size_t places = field.links != nullptr ? field.weights.size() - bindMaps : 0;
   for (int row = 0; row < field.rows(); ++row)
     for (int x = 0; x < field.size.x; ++x) {
       const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(field.size.x) +

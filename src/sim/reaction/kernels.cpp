@@ -25,7 +25,7 @@ struct RuleKernel {
   gl::Uniform<"depth", int> depth;
   gl::Uniform<"planeRows", int> planeRows;
   gl::Uniform<"layerItems", int> layerItems;
-  gl::In<"ToldBlock"> told;
+  gl::In<"UniformBlock"> uniforms;
   gl::InOut<"StatusBlock"> status;
   gl::In<"stage"> stage;
   gl::In<"base"> base;
@@ -42,7 +42,7 @@ struct StripKernel {
   gl::Uniform<"columns", int> columns;
   gl::Uniform<"stepNumber", int> stepNumber;
   gl::Uniform<"lostFirst", int> lostFirst;
-  gl::In<"ToldBlock"> told;
+  gl::In<"UniformBlock"> uniforms;
   gl::InOut<"StatusBlock"> status;
   gl::In<"stage"> stage;
   gl::Out<"next"> next;
@@ -77,19 +77,19 @@ void checkRuleLimits(const std::string& name, const ReactionParameters& p, std::
 constexpr int lostSteps = 1024;
 
 /// Returns the number of elements across a strip that the strip stores.
-int stripWidth(const RuleCut& cut) {
+int stripWidth(const WorkSplit& cut) {
   const int lanes = gl::memoryPath() == gl::MemoryPath::texel ? 1 : 32;
   return lanes * cut.stripElements - (cut.stepsPerPass + 3) / 4 * 2;
 }
 
 /// Returns the number of rows per strip. With longer strips, fewer rows are computed twice, but there must
 /// be enough strips for the device: several per CPU thread on a software driver, thousands on a GPU.
-int stripRowsFor(const RuleCut& cut, int columns, int rows) {
+int stripRowsFor(const WorkSplit& cut, int columns, int rows) {
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
-  const int wanted = texel ? 64 : 4000, least = texel ? 8 : 16;
+  const int wanted = texel ? 64 : 4000, minimum = texel ? 8 : 16;
   const int across = (columns - 1) / stripWidth(cut) + 1;
   int down = texel ? 64 : 128;
-  while (down > least && across * ((rows - 1) / down + 1) < wanted) down /= 2;
+  while (down > minimum && across * ((rows - 1) / down + 1) < wanted) down /= 2;
   return down;
 }
 
@@ -118,8 +118,8 @@ void warnOfGrowth(const std::string& object, const ReactionPlan& plan, const Rul
 
 }  // namespace
 
-RuleCut ReactionKernels::bestCut() {
-  RuleCut cut;
+WorkSplit ReactionKernels::bestCut() {
+  WorkSplit cut;
   const bool texel = gl::memoryPath() == gl::MemoryPath::texel;
   cut.rows = texel ? 2 : 1;
   // If an invocation processes several rows, consecutive rows use the same loads of the rows above and
@@ -137,7 +137,7 @@ RuleCut ReactionKernels::bestCut() {
 }
 
 ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
-                                 const RuleCut& cut)
+                                 const WorkSplit& cut)
     : plan_(plan),
       size_(plan.parameters().size),
       depth_(plan.parameters().depth),
@@ -149,7 +149,7 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
       name, plan.parameters(),
       std::max({static_cast<std::int64_t>(plan.parameters().species.size()), std::int64_t{program.lets},
                 static_cast<std::int64_t>(plan.parameters().parameters.size()) +
-                    (plan.links() != nullptr ? placeMaps : 0)}));
+                    (plan.links() != nullptr ? bindMaps : 0)}));
   if (plan.links() != nullptr) links_ = gl::WordsArray(name + " links", linkWords(*plan.links()));
   const RuleField field = plan.firstField();
   warnOfGrowth(name, plan, field.stage);
@@ -184,7 +184,7 @@ ReactionKernels::ReactionKernels(const std::string& name, const ReactionPlan& pl
         {gl::Kernel<RuleKernel>::generated(
              kernelText(plan.rule(), pass, space, plan.parameters().boundary, plan.noiseSeed(), cut_),
              defines),
-         gl::Buffer(name + " told", toldVectors(pass) * sizeof(glm::vec4)),
+         gl::Buffer(name + " uniforms", uniformVectors(pass) * sizeof(glm::vec4)),
          {}});
   mayStrip_ = cut_.stepsPerPass > 1 && static_cast<int>(plan.rule().rates.size()) <= cut_.stripSpecies &&
               stripsCan(plan.rule(), program, space, plan.parameters().boundary, size_.x);
@@ -231,15 +231,15 @@ void ReactionKernels::setValues(const std::vector<float>& values) {
 // of flushed numbers, then the values beyond edges of the kind "fixed".
 void ReactionKernels::tell(int pass) {
   Pass& to = passes_[static_cast<std::size_t>(pass)];
-  std::vector<float> told =
-      toldOf(plan_.rule().graph, plan_.program().passes[static_cast<std::size_t>(pass)], values_);
-  told.resize((told.size() + 4) / 4 * 4);
-  told.insert(told.end(), {storedGrain, flushedGrain, 0, 0});
+  std::vector<float> uniforms =
+      ruleUniformsOf(plan_.rule().graph, plan_.program().passes[static_cast<std::size_t>(pass)], values_);
+  uniforms.resize((uniforms.size() + 4) / 4 * 4);
+  uniforms.insert(uniforms.end(), {storedGrain, flushedGrain, 0, 0});
   const std::vector<float> edges = plan_.edges();
-  told.insert(told.end(), edges.begin(), edges.end());
-  if (told == to.written) return;
-  to.written = told;
-  to.told.write(0, std::as_bytes(std::span(told)));
+  uniforms.insert(uniforms.end(), edges.begin(), edges.end());
+  if (uniforms == to.written) return;
+  to.written = uniforms;
+  to.uniforms.write(0, std::as_bytes(std::span(uniforms)));
 }
 
 void ReactionKernels::run(int pass, const gl::Vec4Array& stage, const gl::Vec4Array& next, long number) {
@@ -253,7 +253,7 @@ void ReactionKernels::run(int pass, const gl::Vec4Array& stage, const gl::Vec4Ar
                                                            .depth = depth_,
                                                            .planeRows = size_.y * depth_,
                                                            .layerItems = layerItems_,
-                                                           .told = given.told,
+                                                           .uniforms = given.uniforms,
                                                            .status = status_,
                                                            .stage = stage,
                                                            .base = cells_[0],
@@ -286,7 +286,7 @@ void ReactionKernels::strips(long number, long lostFirst) {
                     .columns = columns_,
                     .stepNumber = static_cast<int>(number),
                     .lostFirst = static_cast<int>(lostFirst),
-                    .told = firstPass().told,
+                    .uniforms = firstPass().uniforms,
                     .status = status_,
                     .stage = cells_[0],
                     .next = cells_[1],
@@ -305,7 +305,7 @@ void ReactionKernels::step(long number, long first) {
   for (std::size_t i = 0; i < program.stages.size(); ++i) {
     const RuleProgram::Stage& stage = program.stages[i];
     const gl::Vec4Array* to = stage.last ? &cells_[1] : &stages_[i % 2];
-    values_[ToldPlaces::time] = plan_.modelTime(number, first, stage.time);
+    values_[UniformIndex::time] = plan_.modelTime(number, first, stage.time);
     for (const int pass : stage.passes) run(pass, *from, *to, number);
     from = to;
   }
@@ -314,7 +314,7 @@ void ReactionKernels::step(long number, long first) {
 }
 
 void ReactionKernels::prepareDrawing(long number, long first) {
-  values_[ToldPlaces::time] = plan_.modelTime(number, first, 0);
+  values_[UniformIndex::time] = plan_.modelTime(number, first, 0);
   for (const int pass : plan_.program().showing) run(pass, cells_[0], cells_[1], 0);
   gl::barrier();
 }

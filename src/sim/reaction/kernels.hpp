@@ -23,10 +23,10 @@ struct SampleKernel;
 class ReactionKernels {
  public:
   /// Returns the fastest settings for this device's memory path (tools/bench/README.md).
-  [[nodiscard]] static RuleCut bestCut();
+  [[nodiscard]] static WorkSplit bestCut();
   /// Throws UserError(device) if the grid exceeds a limit of the device.
   ReactionKernels(const std::string& name, const ReactionPlan& plan, bool fast,
-                  const RuleCut& cut = bestCut());
+                  const WorkSplit& cut = bestCut());
 
   /// Sets the uniform values for the following steps (see ReactionPlan::valuesAt).
   void setValues(const std::vector<float>& values);
@@ -58,7 +58,7 @@ class ReactionKernels {
  private:
   struct Pass {
     gl::Kernel<RuleKernel> kernel;
-    gl::Buffer told;
+    gl::Buffer uniforms;
     std::vector<float> written;
   };
   [[nodiscard]] Pass& firstPass();
@@ -78,7 +78,7 @@ class ReactionKernels {
   glm::ivec2 size_;
   int depth_, layerItems_;
   int columns_;
-  RuleCut cut_;
+  WorkSplit cut_;
   std::string name_;
   bool mayStrip_ = false;
   gl::Defines stripDefines_;

@@ -35,7 +35,7 @@ void ReactionMesh::describe(scene::Fields& f) {
   f.integer(
       "refine", refine, {0, 6}, "",
       "Times that each face is divided into four, which makes the mesh rounder (Loop's subdivision).");
-  f.onlyGiven("maps", maps, Maps::texture, [&](Maps& way) {
+  f.optionalValue("maps", maps, Maps::texture, [&](Maps& way) {
     f.choice("maps", way, {"texture", "front", "top"},
              "Placement of images and other objects' fields on the mesh: by texture coordinates (on a "
              "sphere longitude and latitude), or over its box as seen from the front or from above.");

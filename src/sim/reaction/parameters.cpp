@@ -182,7 +182,7 @@ void ReactionParameters::describe(scene::Fields& f) {
               fmt::format("a stroke paints the species {}, which does not exist; {}",
                           scene::inQuotes(stroke.species), scene::suggestion(stroke.species, known)));
   try {
-    static_cast<void>(understandRule(ruleText()));
+    static_cast<void>(compileRule(ruleText()));
   } catch (const RuleMistake& mistake) {
     f.errorIn(mistake.path, mistake.begin, mistake.end, mistake.message);
   }
@@ -192,7 +192,7 @@ void ReactionSurface::describe(scene::Fields& f) {
   f.choice("draw", draw, {"isosurface", "cubes"},
            "isosurface: a smooth surface where the value passes \"level\"; cubes: a cube for every cell at "
            "that level or above.");
-  f.onlyGiven("level", level, scene::Animated<float>(0.5F), [&](scene::Animated<float>& value) {
+  f.optionalValue("level", level, scene::Animated<float>(0.5F), [&](scene::Animated<float>& value) {
     f.number("level", value, scene::anyNumber, "",
              "Value at the surface; inside, the value that is shown is at least this.");
   });
@@ -275,8 +275,8 @@ void ReactionParameters::ports(Ports& ports) const {
         " in a volume of {} cells, whose field only a volume of the same proportions can use", cellsText());
   for (const ReactionParameter& parameter : parameters)
     if (!parameter.field.empty())
-      ports.mustWant<FieldSource>(parameter.field, {"parameters", parameter.name, "field"},
-                                  When::frameStart);
+      ports.requireFrom<FieldSource>(parameter.field, {"parameters", parameter.name, "field"},
+                                     When::frameStart);
 }
 
 bool ReactionParameters::readsFields() const {

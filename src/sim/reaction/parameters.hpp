@@ -124,7 +124,7 @@ struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Co
     return space() == RuleSpace::plane && display.coversPicture();
   }
   void ports(Ports& ports) const override;
-  [[nodiscard]] std::int64_t leastBlockBytes() const override {
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
     return space() == RuleSpace::mesh ? 0 : std::int64_t{4} * size.x * size.y * depth;
   }
   void useStandardPreset(scene::Fields& fields);

@@ -48,7 +48,7 @@ ReactionPlan::ReactionPlan(ReactionParameters parameters, const std::string& obj
     : parameters_(std::move(parameters)),
       seed_(seed),
       frameSeconds_(frameSeconds),
-      rule_(understandRule(parameters_.ruleText())),
+      rule_(compileRule(parameters_.ruleText())),
       program_(programOf(rule_, parameters_.method)),
       strokes_(
           parameters_.space() == RuleSpace::plane ? plainStrokes(parameters_.strokes)
@@ -115,9 +115,10 @@ void ReactionPlan::warnOfSteps(const std::string& object) {
   const double limit = p.method == RuleMethod::rk4 ? 2.785 : 2;
   const double fastest = onMesh_ ? fastestOf(cells_) * std::pow(p.spacing / perMetre_, 2) : gridFastest;
   for (const ReactionSpecies& species : p.species) {
-    double most = 0;
-    for (const auto& key : species.diffusion.keys()) most = std::max(most, static_cast<double>(key.value));
-    const double number = p.dt * most / (p.spacing * p.spacing);
+    double maximum = 0;
+    for (const auto& key : species.diffusion.keys())
+      maximum = std::max(maximum, static_cast<double>(key.value));
+    const double number = p.dt * maximum / (p.spacing * p.spacing);
     const double greatest = limit / fastest;
     if (number <= greatest) continue;
     tooFast_ = true;
@@ -199,7 +200,7 @@ RuleField ReactionPlan::firstField() const {
     for (const ReactionParameter& parameter : p.parameters) field.weights.push_back(weightsOf(parameter));
   field.links = links();
   if (onMesh_)
-    for (int axis = 0; axis < placeMaps; ++axis) field.weights.push_back(placesAlong(axis));
+    for (int axis = 0; axis < bindMaps; ++axis) field.weights.push_back(placesAlong(axis));
   field.stage = evaluateStarts(rule_, valuesAt(0), field);
   field.next = field.base = field.stage;
   if (program_.sums) field.sum = field.stage;
@@ -220,22 +221,22 @@ bool ReactionPlan::retune(const ReactionParameters& now) {
 
 std::vector<float> ReactionPlan::valuesAt(double time) const {
   const ReactionParameters& p = parameters_;
-  std::vector<float> values(static_cast<std::size_t>(rule_.told.count()));
+  std::vector<float> values(static_cast<std::size_t>(rule_.uniforms.count()));
   const auto set = [&](int place, double value) {
     values[static_cast<std::size_t>(place)] = stored(value);
   };
-  set(ToldPlaces::dt, p.dt);
-  set(ToldPlaces::halfDt, p.dt / 2);
-  set(ToldPlaces::sixthDt, p.dt / 6);
+  set(UniformIndex::dt, p.dt);
+  set(UniformIndex::halfDt, p.dt / 2);
+  set(UniformIndex::sixthDt, p.dt / 6);
   const double perLaplacian = onMesh_ ? 1 : 1 / (6 * p.spacing * p.spacing);
-  set(ToldPlaces::perLaplacian, perLaplacian);
-  set(ToldPlaces::perGradient, 1 / (2 * p.spacing));
-  set(ToldPlaces::spacing, p.spacing);
+  set(UniformIndex::perLaplacian, perLaplacian);
+  set(UniformIndex::perGradient, 1 / (2 * p.spacing));
+  set(UniformIndex::spacing, p.spacing);
   const glm::dvec3 extent = onMesh_ ? (cells_.high - cells_.low) * perMetre_
                                     : p.spacing * glm::dvec3(p.size.x, p.size.y, p.depth);
-  set(ToldPlaces::width, extent.x);
-  set(ToldPlaces::height, extent.y);
-  set(ToldPlaces::depth, extent.z);
+  set(UniformIndex::width, extent.x);
+  set(UniformIndex::height, extent.y);
+  set(UniformIndex::depth, extent.z);
   for (std::size_t i = 0; i < p.parameters.size(); ++i) {
     const ReactionParameter& parameter = p.parameters[i];
     const auto now = static_cast<double>(parameter.value.at(time));
@@ -243,13 +244,13 @@ std::vector<float> ReactionPlan::valuesAt(double time) const {
                        : parameter.down          ? *parameter.down
                        : parameter.image.empty() ? now
                                                  : parameter.white;
-    set(ToldPlaces::value(static_cast<int>(i)), now);
-    set(rule_.told.span(static_cast<int>(i)), end - now);
+    set(UniformIndex::value(static_cast<int>(i)), now);
+    set(rule_.uniforms.span(static_cast<int>(i)), end - now);
   }
   for (std::size_t i = 0; i < p.species.size(); ++i) {
     const auto d = static_cast<double>(p.species[i].diffusion.at(time));
-    set(rule_.told.diffusion(static_cast<int>(i)), onMesh_ ? d : d / (6 * p.spacing * p.spacing));
-    set(rule_.told.edge(static_cast<int>(i)), p.species[i].edge);
+    set(rule_.uniforms.diffusion(static_cast<int>(i)), onMesh_ ? d : d / (6 * p.spacing * p.spacing));
+    set(rule_.uniforms.edge(static_cast<int>(i)), p.species[i].edge);
   }
   return values;
 }
@@ -282,10 +283,10 @@ void evaluateStep(const ReactionPlan& plan, std::vector<float> values, long numb
   const RuleProgram& program = plan.program();
   field.base = field.stage;
   for (const RuleProgram::Stage& stage : program.stages) {
-    values[ToldPlaces::time] = plan.modelTime(number, first, stage.time);
+    values[UniformIndex::time] = plan.modelTime(number, first, stage.time);
     for (const int i : stage.passes) {
       const RulePass& pass = program.passes[static_cast<std::size_t>(i)];
-      evaluatePass(plan.rule().graph, pass, toldOf(plan.rule().graph, pass, values),
+      evaluatePass(plan.rule().graph, pass, ruleUniformsOf(plan.rule().graph, pass, values),
                    static_cast<unsigned>(number), field);
     }
     std::swap(field.stage, field.next);
@@ -295,10 +296,10 @@ void evaluateStep(const ReactionPlan& plan, std::vector<float> values, long numb
 std::vector<float> evaluateShown(const ReactionPlan& plan, std::vector<float> values, long number,
                                  long first, RuleField& field) {
   const RuleProgram& program = plan.program();
-  values[ToldPlaces::time] = plan.modelTime(number, first, 0);
+  values[UniformIndex::time] = plan.modelTime(number, first, 0);
   for (const int i : program.showing) {
     const RulePass& pass = program.passes[static_cast<std::size_t>(i)];
-    evaluatePass(plan.rule().graph, pass, toldOf(plan.rule().graph, pass, values), 0, field);
+    evaluatePass(plan.rule().graph, pass, ruleUniformsOf(plan.rule().graph, pass, values), 0, field);
   }
   return field.array(program.shown.array)[static_cast<std::size_t>(program.shown.plane)];
 }

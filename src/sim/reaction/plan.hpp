@@ -42,7 +42,7 @@ class ReactionPlan {
 
   /// Returns a field with the initial state in `stage`, allocated memory in all other arrays, and the maps.
   [[nodiscard]] RuleField firstField() const;
-  /// Returns the values listed in ToldPlaces for the frame that starts at `time` (seconds). The model's
+  /// Returns the values listed in UniformIndex for the frame that starts at `time` (seconds). The model's
   /// time among them is 0.
   [[nodiscard]] std::vector<float> valuesAt(double time) const;
   /// Returns the number of steps from scene time 0 to `time` (seconds).

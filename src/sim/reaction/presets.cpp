@@ -206,7 +206,7 @@ std::string reactionPresetsText() {
     ReactionParameters p;
     preset.apply(p);
     out += fmt::format("\n  {}: {}\n", preset.name, preset.source);
-    const std::string text = understandRule(p.ruleText()).text;
+    const std::string text = compileRule(p.ruleText()).text;
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t end = text.find('\n', at);
       out += "    " + text.substr(at, end - at) + "\n";

@@ -137,7 +137,7 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
     return mesh ? lastJump(time, mesh->position, mesh->rotation, mesh->scale) : Simulation::jumpedBy(time);
   }
 
-  void carryOver(CarryOver& carry) override {
+  void visitCheckpointData(CarryOver& carry) override {
     carry.array("cells", kernels_.cells().buffer());
     // The displayed value may depend on the fields read from other objects.
     if (plan_.parameters().readsFields()) carry.array("fields", kernels_.maps().buffer());
@@ -174,15 +174,15 @@ class Reaction : public Simulation, public FrameStarter, public Retunable {
       const double d = static_cast<double>(value) - sum / count;
       squares += d * d;
     }
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    const double mostOf = *most, leastOf = *least;
+    const auto [minimum, maximum] = std::minmax_element(values.begin(), values.end());
+    const double maximumOf = *maximum, minimumOf = *minimum;
     if (isVolume()) {  // The wavelength is measured in the middle layer.
       const glm::ivec2 size = plan_.parameters().size;
       const auto layer = static_cast<std::ptrdiff_t>(size.x) * size.y;
       values.erase(values.begin(), values.begin() + layer * (plan_.parameters().depth / 2));
       values.resize(static_cast<std::size_t>(layer));
     }
-    return {sum / count, leastOf, mostOf, std::sqrt(squares / count),
+    return {sum / count, minimumOf, maximumOf, std::sqrt(squares / count),
             plan_.links() != nullptr ? 0 : dominantWavelength(values, plan_.parameters().size)};
   }
 

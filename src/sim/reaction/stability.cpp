@@ -81,9 +81,9 @@ class StepProbe {
     RuleField field = field_;
     field.stage = std::move(state);
     std::vector<float> values = values_;
-    values[ToldPlaces::dt] = static_cast<float>(dt);
-    values[ToldPlaces::halfDt] = static_cast<float>(dt / 2);
-    values[ToldPlaces::sixthDt] = static_cast<float>(dt / 6);
+    values[UniformIndex::dt] = static_cast<float>(dt);
+    values[UniformIndex::halfDt] = static_cast<float>(dt / 2);
+    values[UniformIndex::sixthDt] = static_cast<float>(dt / 6);
     evaluateStep(plan_, std::move(values), 0, 0, field);
     return std::move(field.stage);
   }
@@ -120,9 +120,10 @@ std::optional<StepGrowth> unstableSteps(const ReactionPlan& plan, const RulePlan
   if (plan.links() != nullptr || first.empty() ||
       std::any_of(nexts.begin(), nexts.end(), [](int next) { return next >= 0; }))
     return {};
-  const auto [least, most] = std::minmax_element(first[0].begin(), first[0].end());
-  std::vector<std::size_t> cells = {static_cast<std::size_t>(least - first[0].begin()),
-                                    static_cast<std::size_t>(most - first[0].begin()), first[0].size() / 2};
+  const auto [minimum, maximum] = std::minmax_element(first[0].begin(), first[0].end());
+  std::vector<std::size_t> cells = {static_cast<std::size_t>(minimum - first[0].begin()),
+                                    static_cast<std::size_t>(maximum - first[0].begin()),
+                                    first[0].size() / 2};
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   std::optional<StepGrowth> worst;

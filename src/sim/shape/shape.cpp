@@ -73,11 +73,11 @@ std::optional<scene::Box> ShapeParameters::framed() const {
 
 std::optional<scene::Box> ShapeParameters::framedAlone() const {
   if (!visible || shape.kind != ColliderShape::Kind::plane) return std::nullopt;
-  constexpr float most = 3;  // maximum half width and half depth, in metres, of the part of a plane that
-                             // the camera frames
+  constexpr float maximum = 3;  // maximum half width and half depth, in metres, of the part of a plane that
+                                // the camera frames
   const glm::mat3 turn(rotationMatrix(shape.rotation.at(0)));
   const glm::vec3 middle = shape.position.at(0);
-  const float wide = std::min(0.5F * size.x, most), deep = std::min(0.5F * size.z, most);
+  const float wide = std::min(0.5F * size.x, maximum), deep = std::min(0.5F * size.z, maximum);
   std::optional<scene::Box> box;
   for (const float x : {-wide, wide})
     for (const float z : {-deep, deep}) scene::include(box, middle + turn * glm::vec3(x, 0, z));

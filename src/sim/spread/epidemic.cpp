@@ -19,13 +19,13 @@ struct EpidemicStepKernel {
     gl::Flag<"MIXED"> mixed;
   };
   SpreadStepPart part;
-  gl::Block<"StepBlock", decltype(EpidemicPlan::Step::data)> told;
+  gl::Block<"StepBlock", decltype(EpidemicPlan::Step::data)> uniforms;
 };
 
 struct EpidemicPaintKernel {
   static constexpr auto file = "spread/epidemic/paint.comp";
   SpreadPaintPart part;
-  gl::Block<"StepBlock", decltype(EpidemicPlan::Step::data)> told;
+  gl::Block<"StepBlock", decltype(EpidemicPlan::Step::data)> uniforms;
 };
 
 class Epidemic final : public Simulation {
@@ -48,11 +48,11 @@ class Epidemic final : public Simulation {
   void step(double time, const StepWatch& watch) override {
     grid_->runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, *this);
   }
-  void step(glm::ivec2 items, const SpreadStepPart& part, const gl::Resource& told) const {
-    step_.dispatch(items, {.part = part, .told = told});
+  void step(glm::ivec2 items, const SpreadStepPart& part, const gl::Resource& uniforms) const {
+    step_.dispatch(items, {.part = part, .uniforms = uniforms});
   }
-  void paint(glm::ivec2 items, const SpreadPaintPart& part, const gl::Resource& told) const {
-    paint_.dispatch(items, {.part = part, .told = told});
+  void paint(glm::ivec2 items, const SpreadPaintPart& part, const gl::Resource& uniforms) const {
+    paint_.dispatch(items, {.part = part, .uniforms = uniforms});
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
@@ -68,9 +68,9 @@ class Epidemic final : public Simulation {
         {vivid(parameters().susceptible), parameters().infection, vivid(parameters().recovered)},
         parameters().chartSeconds * parameters().stepsPerSecond, drawables);
   }
-  void carryOver(CarryOver& carry) override {
-    plan_.carryOver(carry);
-    grid_->carryOver(carry);
+  void visitCheckpointData(CarryOver& carry) override {
+    plan_.visitCheckpointData(carry);
+    grid_->visitCheckpointData(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &grid_->cells().buffer(), true}};
@@ -102,11 +102,11 @@ class Epidemic final : public Simulation {
 
 /// Returns a plan for validation. If the grid would take gigabytes, it is a small grid made from the same
 /// image.
-EpidemicPlan lookedAt(const EpidemicParameters& parameters, const EpidemicPlan& plan,
-                      const Setting& setting) {
-  if (parameters.leastBlockBytes() <= ObjectParameters::commonBlockBytes) return plan;
+EpidemicPlan validationPlan(const EpidemicParameters& parameters, const EpidemicPlan& plan,
+                            const Setting& setting) {
+  if (parameters.minLargestBufferBytes() <= ObjectParameters::commonBlockBytes) return plan;
   EpidemicParameters small = parameters;
-  small.size = SpreadParameters::lookedAt;
+  small.size = SpreadParameters::validationPlan;
   small.strokes.clear();
   return {small, "", setting.seed, setting.frameSeconds};
 }
@@ -119,7 +119,7 @@ SimulationKind epidemicKind() {
       [](const scene::Object& object, const Setting& setting) {
         const auto& parameters = parametersOf<EpidemicParameters>(object);
         const EpidemicPlan plan(parameters, object.name, setting.seed, setting.frameSeconds);
-        static_cast<void>(lookedAt(parameters, plan, setting).firstCells());
+        static_cast<void>(validationPlan(parameters, plan, setting).firstCells());
       },
       makeSimulation<Epidemic>);
 }

@@ -43,7 +43,9 @@ struct EpidemicParameters final : ObjectParameters, SpreadParameters, scene::Fit
   void fitPicture(glm::ivec2 picture) override { size = display.fittedGrid(size, picture); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"colors\""; }
   void ports(Ports& ports) const override;
-  [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y; }
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
+    return std::int64_t{size.x} * size.y;
+  }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 
@@ -67,7 +69,7 @@ class EpidemicPlan {
   [[nodiscard]] std::vector<Step> frame(double time);
   /// Returns the strokes that paint into the initial state of a run that starts at `time` (seconds).
   [[nodiscard]] std::vector<shader::Stroke> firstStrokes(double time) const;
-  void carryOver(CarryOver& carry) { carry.number("steps begun", done_); }
+  void visitCheckpointData(CarryOver& carry) { carry.number("steps begun", done_); }
   /// Sets the number of inhabited cells, used by global mixing.
   void setPeople(unsigned people) { people_ = people; }
 

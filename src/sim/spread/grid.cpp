@@ -145,7 +145,7 @@ void SpreadGrid::endFrame() {
                            static_cast<GLsizeiptr>(frameSteps_) * 16);
 }
 
-void SpreadGrid::carryOver(CarryOver& carry) {
+void SpreadGrid::visitCheckpointData(CarryOver& carry) {
   const int room = capacity_;
   carry.number("steps", done_);
   carry.number("steps of the frame", frameSteps_);

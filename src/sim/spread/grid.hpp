@@ -62,11 +62,11 @@ class SpreadGrid {
     blocks.upload(steps, &Step::data);
     beginFrame(static_cast<int>(steps.size()));
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      const gl::Resource told = blocks.at(i);
+      const gl::Resource uniforms = blocks.at(i);
       const SpreadStepPart given = beginStep();
-      kernels.step(glm::ivec2(rowElements(), groupRows()), given, told);
+      kernels.step(glm::ivec2(rowElements(), groupRows()), given, uniforms);
       endStep();
-      paint(steps[i].strokes, told, kernels);
+      paint(steps[i].strokes, uniforms, kernels);
       if (watch) watch(static_cast<int>(i) + 1);
     }
     endFrame();
@@ -75,13 +75,13 @@ class SpreadGrid {
   }
   /// Applies strokes to the initial state.
   template <class Kernels>
-  void paintFirst(const std::vector<shader::Stroke>& strokes, const gl::Resource& told,
+  void paintFirst(const std::vector<shader::Stroke>& strokes, const gl::Resource& uniforms,
                   const Kernels& kernels) {
-    paint(strokes, told, kernels);
+    paint(strokes, uniforms, kernels);
     if (!strokes.empty()) startPainted();
   }
 
-  void carryOver(CarryOver& carry);
+  void visitCheckpointData(CarryOver& carry);
 
   [[nodiscard]] const gl::WordsArray& cells() const { return cells_[0]; }
   [[nodiscard]] int rowElements() const { return (size_.x + 15) / 16; }
@@ -110,7 +110,8 @@ class SpreadGrid {
   SpreadStepPart beginStep();
   void endStep();
   template <class Kernels>
-  void paint(const std::vector<shader::Stroke>& strokes, const gl::Resource& told, const Kernels& kernels) {
+  void paint(const std::vector<shader::Stroke>& strokes, const gl::Resource& uniforms,
+             const Kernels& kernels) {
     for (const shader::Stroke& stroke : strokes) {
       const glm::ivec4 box = Strokes::box(stroke, size_);
       if (box.z <= 0 || box.w <= 0) continue;
@@ -123,7 +124,7 @@ class SpreadGrid {
                                     .stamps = stamps_,
                                     .cells = cells_[0],
                                     .counts = history_.buffer()},
-                    told);
+                    uniforms);
       fresh_ = true;
     }
   }

@@ -26,7 +26,7 @@ namespace simreel::sim {
 struct SpreadParameters : scene::Covering {
   enum class Border { torus, closed };
   /// Size of the small grid that replaces a grid of gigabytes when a scene is validated.
-  static constexpr glm::ivec2 lookedAt{512, 512};
+  static constexpr glm::ivec2 validationPlan{512, 512};
   glm::ivec2 size{640, 360};
   Border border = Border::closed;
   double stepsPerSecond = 60;

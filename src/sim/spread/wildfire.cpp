@@ -19,7 +19,7 @@ struct WildfireStepKernel {
     gl::Flag<"GALES"> gales;
   };
   SpreadStepPart part;
-  gl::Block<"StepBlock", decltype(WildfirePlan::Step::data)> told;
+  gl::Block<"StepBlock", decltype(WildfirePlan::Step::data)> uniforms;
   gl::In<"fuels"> fuels;
   gl::In<"ground"> ground;
   gl::In<"gales"> gales;
@@ -30,7 +30,7 @@ struct WildfireStepKernel {
 struct WildfirePaintKernel {
   static constexpr auto file = "spread/wildfire/paint.comp";
   SpreadPaintPart part;
-  gl::Block<"StepBlock", decltype(WildfirePlan::Step::data)> told;
+  gl::Block<"StepBlock", decltype(WildfirePlan::Step::data)> uniforms;
   gl::In<"ground"> ground;
 };
 
@@ -74,17 +74,17 @@ class Wildfire final : public Simulation {
     if (blown()) blow(time);
     grid_.runFrame(plan_.frame(time), steps_, plan_.stepsPerFrame(), watch, *this);
   }
-  void step(glm::ivec2 items, const SpreadStepPart& part, const gl::Resource& told) const {
+  void step(glm::ivec2 items, const SpreadStepPart& part, const gl::Resource& uniforms) const {
     step_.dispatch(items, {.part = part,
-                           .told = told,
+                           .uniforms = uniforms,
                            .fuels = fuels_,
                            .ground = ground_,
                            .gales = gales_,
                            .inclines = inclines_,
                            .climbs = climbs_});
   }
-  void paint(glm::ivec2 items, const SpreadPaintPart& part, const gl::Resource& told) const {
-    paint_.dispatch(items, {.part = part, .told = told, .ground = ground_});
+  void paint(glm::ivec2 items, const SpreadPaintPart& part, const gl::Resource& uniforms) const {
+    paint_.dispatch(items, {.part = part, .uniforms = uniforms, .ground = ground_});
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.stepsPerFrame(); }
@@ -98,9 +98,9 @@ class Wildfire final : public Simulation {
                        {{0.20F, 0.55F, 0.16F}, {1.0F, 0.45F, 0.08F}, {0.45F, 0.40F, 0.38F}},
                        parameters().chartSeconds * parameters().stepsPerSecond, drawables);
   }
-  void carryOver(CarryOver& carry) override {
-    plan_.carryOver(carry);
-    grid_.carryOver(carry);
+  void visitCheckpointData(CarryOver& carry) override {
+    plan_.visitCheckpointData(carry);
+    grid_.visitCheckpointData(carry);
   }
   [[nodiscard]] std::vector<StateArray> state() const override {
     return {{"cells", &grid_.cells().buffer(), true}};
@@ -166,11 +166,11 @@ SimulationKind wildfireKind() {
         // A grid that would take gigabytes is validated with a small grid made from the same images. Its
         // strokes are checked separately at full size.
         WildfireParameters parameters = parametersOf<WildfireParameters>(object);
-        if (parameters.leastBlockBytes() > ObjectParameters::commonBlockBytes) {
+        if (parameters.minLargestBufferBytes() > ObjectParameters::commonBlockBytes) {
           static_cast<void>(Strokes(parameters.strokes, setting.seed,
                                     {parameters.size, parameters.border == SpreadParameters::Border::torus,
                                      "wildfire \"" + object.name + "\""}));
-          parameters.size = SpreadParameters::lookedAt;
+          parameters.size = SpreadParameters::validationPlan;
           parameters.strokes.clear();
         }
         static_cast<void>(WildfirePlan(parameters, object.name, setting.seed, setting.frameSeconds));

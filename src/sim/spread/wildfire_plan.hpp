@@ -57,7 +57,9 @@ struct WildfireParameters final : ObjectParameters,
   }
   [[nodiscard]] const char* drawnWith() const override { return "its \"colors\""; }
   void ports(Ports& ports) const override;
-  [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{size.x} * size.y; }
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
+    return std::int64_t{size.x} * size.y;
+  }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
 };
 
@@ -93,7 +95,7 @@ class WildfirePlan {
   [[nodiscard]] std::vector<Step> frame(double time);
   /// Returns the strokes that paint into the initial state of a run that starts at `time` (seconds).
   [[nodiscard]] std::vector<shader::Stroke> firstStrokes(double time) const;
-  void carryOver(CarryOver& carry) { carry.number("steps begun", done_); }
+  void visitCheckpointData(CarryOver& carry) { carry.number("steps begun", done_); }
 
   [[nodiscard]] const WildfireParameters& parameters() const { return parameters_; }
   [[nodiscard]] const Strokes& strokes() const { return strokes_; }

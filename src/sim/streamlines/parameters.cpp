@@ -31,7 +31,7 @@ void StreamlineParameters::describe(scene::Fields& f) {
 
 void StreamlineParameters::ports(Ports& ports) const {
   if (of.empty()) return;
-  ports.mustWant<FluidWind>(of, {"of"});
+  ports.requireFrom<FluidWind>(of, {"of"});
   if (sheet) ports.want<FieldSource>(of, {"of"});
 }
 

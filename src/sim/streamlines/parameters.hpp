@@ -12,7 +12,7 @@
 namespace simreel::sim {
 
 /// Parameters of the object kind "streamlines".
-struct StreamlineParameters : ObjectParameters, scene::Papered {
+struct StreamlineParameters : ObjectParameters, scene::HasFieldSkin {
   std::string of;                    ///< name of the object whose flow is drawn
   std::optional<double> separation;  ///< distance between lines in metres; if empty, 1/56 of the longer
                                      ///< side
@@ -36,7 +36,7 @@ struct StreamlineParameters : ObjectParameters, scene::Papered {
 };
 
 /// Maximum number of seeds of one object.
-inline constexpr int mostSeeds = 8192;
+inline constexpr int maxSeeds = 8192;
 /// Number of points of a line on each side of its seed.
 inline constexpr int pointsAside = 40;
 

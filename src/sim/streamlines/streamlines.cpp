@@ -154,7 +154,7 @@ class Streamlines : public Simulation {
     constexpr double inLine = 56, separations = 30;
     const double separation =
         parameters_.separation.value_or(static_cast<double>(std::max(extent.x, extent.y)) / inLine);
-    const auto apart = static_cast<float>(separation);
+    const auto distance = static_cast<float>(separation);
     stride_ = static_cast<float>(parameters_.length.value_or(separations * separation) / (2 * pointsAside));
     width_ = static_cast<float>(parameters_.width.value_or(0.3 * separation));
     height_ = static_cast<float>(parameters_.height.value_or(static_cast<double>(width_)));
@@ -162,12 +162,12 @@ class Streamlines : public Simulation {
     constexpr double seedsPerSeparation = 1.6;
     const glm::dvec2 seeds =
         glm::max(glm::dvec2(1), glm::floor(seedsPerSeparation * glm::dvec2(extent) / separation + 1e-3));
-    if (seeds.x * seeds.y > mostSeeds)
+    if (seeds.x * seeds.y > maxSeeds)
       fail(ExitCode::usage,
            "streamlines \"{}\": a separation of {:g} m makes {:.0f} seeds, more than the {} that fit here; "
            "raise "
            "\"separation\"",
-           name_, separation, seeds.x * seeds.y, mostSeeds);
+           name_, separation, seeds.x * seeds.y, maxSeeds);
     columns_ = static_cast<int>(seeds.x);
     count_ = columns_ * static_cast<int>(seeds.y);
     // Lines are at least two and a half separations long and at least half a separation apart.
@@ -180,14 +180,14 @@ class Streamlines : public Simulation {
     first_ = plane.position -
              0.5F * (static_cast<float>(seeds.x - 1) * across_ + static_cast<float>(seeds.y - 1) * down_);
     const glm::vec3 corner = plane.position - 0.5F * extent.x * right + 0.5F * extent.y * up;
-    cells_ = glm::ivec2(extent / (0.5F * apart)) + 1;
-    toColumn_ = glm::vec4(2 / apart * right, -2 / apart * glm::dot(right, corner));
-    toRow_ = glm::vec4(-2 / apart * up, 2 / apart * glm::dot(up, corner));
+    cells_ = glm::ivec2(extent / (0.5F * distance)) + 1;
+    toColumn_ = glm::vec4(2 / distance * right, -2 / distance * glm::dot(right, corner));
+    toRow_ = glm::vec4(-2 / distance * up, 2 / distance * glm::dot(up, corner));
     const double fastest = static_cast<double>(wind_->speed() * plane.cell);
     const double high = parameters_.high.value_or(std::max(fastest, parameters_.low + 1e-3));
     perRange_ = static_cast<float>(1 / (high - parameters_.low));
     still_ = static_cast<float>(1e-4 * std::max(fastest, 1e-6));
-    fewest_ = std::max(2, static_cast<int>(2.5F * apart / stride_));
+    fewest_ = std::max(2, static_cast<int>(2.5F * distance / stride_));
   }
 
   void update() {

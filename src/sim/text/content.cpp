@@ -12,7 +12,7 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostDigits = 9;
+constexpr int digitLimit = 9;
 
 /// Parses the text between the braces of a placeholder.
 TextContent::Part numberOf(std::string_view inner) {
@@ -22,9 +22,9 @@ TextContent::Part numberOf(std::string_view inner) {
   if (const std::size_t colon = inner.rfind(':'); colon != std::string_view::npos) {
     std::string_view digits = inner.substr(colon + 1);
     part.digits = takeInteger(digits);
-    if (!part.digits || !digits.empty() || *part.digits < 0 || *part.digits > mostDigits)
+    if (!part.digits || !digits.empty() || *part.digits < 0 || *part.digits > digitLimit)
       throw std::invalid_argument(fmt::format(
-          "\"{{{}}}\": the colon must be followed by a number of digits, 0 to {}", shown, mostDigits));
+          "\"{{{}}}\": the colon must be followed by a number of digits, 0 to {}", shown, digitLimit));
     inner = inner.substr(0, colon);
   }
   if (inner == "frame" || inner == "time") {

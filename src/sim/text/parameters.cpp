@@ -88,7 +88,7 @@ void TextParameters::ports(Ports& ports) const {
   if (!content) return;
   for (const TextContent::Part& part : content->parts())
     if (part.number == TextContent::Part::Number::quantity)
-      ports.mustWant<Measured>(part.object + "." + part.quantity, {"text"});
+      ports.requireFrom<Measured>(part.object + "." + part.quantity, {"text"});
 }
 
 void TextParameters::ink(const glm::vec3& color) {

@@ -30,7 +30,7 @@ struct ScreenText {
 };
 
 /// Parameters of the object kind "text".
-struct TextParameters : ObjectParameters, scene::Inked {
+struct TextParameters : ObjectParameters, scene::HasInk {
   enum class Weight { regular, bold };
   std::string text = "simreel";
   std::filesystem::path font;  ///< font file; if empty, the bundled font

@@ -230,9 +230,9 @@ bool Isosurface::grow() {
   if (!s.totals.wait()) return false;
   const shader::ContourDraw found = s.totals.found();
   if (found.points <= s.pointRoom && found.indices <= s.indexRoom) return false;
-  const std::int64_t most = gl::limits().storageBlockBytes;
-  s.getRoom(grownRoom(found.points, s.pointRoom, most / 16 - shader::volume::boxCorners),
-            grownRoom(found.indices, s.indexRoom, most / 4));
+  const std::int64_t maximum = gl::limits().storageBlockBytes;
+  s.getRoom(grownRoom(found.points, s.pointRoom, maximum / 16 - shader::volume::boxCorners),
+            grownRoom(found.indices, s.indexRoom, maximum / 4));
   s.make();
   return true;
 }
@@ -243,7 +243,7 @@ Surface Isosurface::surface() const {
   surface.positions = &s.positionView;
   surface.normals = &s.normalView;
   surface.vertexCount = shader::volume::boxCorners;
-  surface.vertexRoom = static_cast<int>(s.pointRoom) + shader::volume::boxCorners;
+  surface.vertexCapacity = static_cast<int>(s.pointRoom) + shader::volume::boxCorners;
   surface.indices = &s.indices;
   surface.indexCount = static_cast<int>(s.indexRoom);
   surface.arguments = &s.totals.draw();

@@ -18,7 +18,7 @@ struct FloatMove {
   gl::In<"cells"> cells;
   gl::In<"bodies"> bodies;
   gl::Out<"nextBodies"> next;
-  gl::In<"told"> told;
+  gl::In<"floatInput"> floatInput;
   gl::In<"points"> points;
   gl::InOut<"FloatSumBlock"> sums;
 };
@@ -31,11 +31,11 @@ struct FloatPress {
   gl::Block<"FloatBlock", shader::FloatStep> step;
   gl::InOut<"cells"> cells;
   gl::In<"bodies"> bodies;
-  gl::In<"told"> told;
+  gl::In<"floatInput"> floatInput;
   gl::InOut<"FloatSumBlock"> sums;
 };
 
-struct FloatShow {
+struct FloatDisplay {
   static constexpr auto file = "water/float_show.comp";
   gl::Uniform<"count", int> count;
   gl::Uniform<"body", int> body;
@@ -72,7 +72,7 @@ FloatKernels::FloatKernels(const std::string& name, const WaterPlan& plan, bool 
     : plan_(&plan), steps_(name + " floats' step", 1) {
   const FloatPlan& floats = plan.floats();
   const glm::ivec2 size = plan.parameters().size;
-  std::map<fs::path, std::shared_ptr<const MovingLooks>> ofFiles;
+  std::map<fs::path, std::shared_ptr<const MovingMeshMaterials>> ofFiles;
   for (std::size_t i = 0; i < floats.hulls().size(); ++i) {
     const WaterFloat& body = plan.parameters().floats[i];
     const Mesh& mesh = floats.hulls()[i].mesh;
@@ -83,7 +83,7 @@ FloatKernels::FloatKernels(const std::string& name, const WaterPlan& plan, bool 
     const bool own = !body.materialKeys.empty() || body.drawnFile().empty();
     if (!own) drawn.looks = ofFiles[body.drawnFile()];
     if (drawn.looks) continue;
-    drawn.looks = std::make_shared<const MovingLooks>(object, mesh);
+    drawn.looks = std::make_shared<const MovingMeshMaterials>(object, mesh);
     if (own) continue;
     ofFiles[body.drawnFile()] = drawn.looks;
     if (const std::string ignored = ignoredLooks(object, mesh); !ignored.empty())
@@ -92,7 +92,7 @@ FloatKernels::FloatKernels(const std::string& name, const WaterPlan& plan, bool 
   }
   for (gl::Vec4Array& bodies : bodies_) bodies = gl::Vec4Array(name + " floats", floats.first());
   points_ = gl::Vec4Array(name + " floats' points", floats.points());
-  told_ = gl::Vec4Array(name + " floats told", floats.toldAt(0));
+  parameters_ = gl::Vec4Array(name + " floats told", floats.parametersAt(0));
   sums_ = gl::Buffer::of<glm::ivec4>(
       name + " floats' sums",
       std::vector<glm::ivec4>(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)));
@@ -100,11 +100,11 @@ FloatKernels::FloatKernels(const std::string& name, const WaterPlan& plan, bool 
   const gl::Defines defines = gl::kernelDefines(fast);
   move_ = gl::Kernel<FloatMove>(defines);
   press_ = gl::Kernel<FloatPress>(defines);
-  show_ = gl::Kernel<FloatShow>(defines);
+  display_ = gl::Kernel<FloatDisplay>(defines);
 }
 
 void FloatKernels::startFrame(double time) {
-  told_.write(plan_->floats().toldAt(time));
+  parameters_.write(plan_->floats().parametersAt(time));
 }
 
 void FloatKernels::step(int index, const gl::Vec4Array& cells, const gl::Buffer& status) {
@@ -118,7 +118,7 @@ void FloatKernels::step(int index, const gl::Vec4Array& cells, const gl::Buffer&
                                               .cells = cells,
                                               .bodies = bodies_[0],
                                               .next = bodies_[1],
-                                              .told = told_,
+                                              .floatInput = parameters_,
                                               .points = points_,
                                               .sums = sums_});
   press_.dispatch({side, side * count}, {.size = size,
@@ -127,21 +127,21 @@ void FloatKernels::step(int index, const gl::Vec4Array& cells, const gl::Buffer&
                                          .step = steps_.at(0),
                                          .cells = cells,
                                          .bodies = bodies_[0],
-                                         .told = told_,
+                                         .floatInput = parameters_,
                                          .sums = sums_});
   std::swap(bodies_[0], bodies_[1]);
 }
 
 void FloatKernels::prepareDrawing() const {
   for (std::size_t i = 0; i < drawn_.size(); ++i)
-    show_.dispatch(drawn_[i].count, {.count = drawn_[i].count,
-                                     .body = static_cast<int>(i),
-                                     .origin = plan_->parameters().position,
-                                     .bodies = bodies_[0],
-                                     .hullPositions = drawn_[i].rest,
-                                     .hullNormals = drawn_[i].restNormals,
-                                     .positions = drawn_[i].positions,
-                                     .normals = drawn_[i].normals});
+    display_.dispatch(drawn_[i].count, {.count = drawn_[i].count,
+                                        .body = static_cast<int>(i),
+                                        .origin = plan_->parameters().position,
+                                        .bodies = bodies_[0],
+                                        .hullPositions = drawn_[i].rest,
+                                        .hullNormals = drawn_[i].restNormals,
+                                        .positions = drawn_[i].positions,
+                                        .normals = drawn_[i].normals});
   gl::barrier();
 }
 
@@ -155,7 +155,7 @@ void FloatKernels::publish(Drawables& drawables) const {
   }
 }
 
-void FloatKernels::carryOver(CarryOver& carry) {
+void FloatKernels::visitCheckpointData(CarryOver& carry) {
   carry.array("floats", bodies_[0].buffer());
   carry.array("displaced", sums_);
 }

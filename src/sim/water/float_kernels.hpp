@@ -16,7 +16,7 @@ namespace simreel::sim {
 
 struct FloatMove;
 struct FloatPress;
-struct FloatShow;
+struct FloatDisplay;
 
 /// Floating bodies on the GPU and the kernels that move them.
 class FloatKernels {
@@ -34,7 +34,7 @@ class FloatKernels {
   /// Computes the drawn vertices of the bodies.
   void prepareDrawing() const;
   void publish(Drawables& drawables) const;
-  void carryOver(CarryOver& carry);
+  void visitCheckpointData(CarryOver& carry);
   void addState(std::vector<StateArray>& arrays) const;
   [[nodiscard]] const gl::Buffer& state() const { return bodies_[0].buffer(); }
 
@@ -44,7 +44,7 @@ class FloatKernels {
     Drawn(const std::string& name, const Hull& hull);
     MeshTopology topology;
     gl::Vec4Array rest, restNormals, positions, normals;
-    std::shared_ptr<const MovingLooks>
+    std::shared_ptr<const MovingMeshMaterials>
         looks;  ///< Material textures; bodies that use the same file have the same entry.
     int count;
     bool doubleSided = false;
@@ -53,14 +53,14 @@ class FloatKernels {
   const WaterPlan* plan_;
   std::vector<Drawn> drawn_;
   gl::Vec4Array bodies_[2];  ///< Current state, and the output of the next step.
-  gl::Vec4Array points_, told_;
+  gl::Vec4Array points_, parameters_;
   /// Four integers per cell, in fixed-point units: increments of the depth and of the discharge along x and
   /// z, and the displaced depth.
   gl::Buffer sums_;
   StepBlocks<shader::FloatStep> steps_;
   gl::Kernel<FloatMove> move_;
   gl::Kernel<FloatPress> press_;
-  gl::Kernel<FloatShow> show_;
+  gl::Kernel<FloatDisplay> display_;
 };
 
 }  // namespace simreel::sim

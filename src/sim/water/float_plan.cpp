@@ -116,7 +116,7 @@ void FloatPlan::describeStep(const WaterParameters& water, double dt, double dep
   s.deepest = static_cast<float>(0.5 * cell);
   s.thin = static_cast<float>(std::max(1e-4 * depth, 1e-9));
   s.dry = static_cast<float>(5e-3 * depth);
-  s.most = static_cast<float>(cell / dt);
+  s.maximum = static_cast<float>(cell / dt);
   s.west = static_cast<int>(water.sides[0]);
   s.east = static_cast<int>(water.sides[1]);
   s.north = static_cast<int>(water.sides[2]);
@@ -163,7 +163,7 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   // By Cauchy's formula, the mean projected area of a convex body is a quarter of its surface area.
   const double perLength = 0.25 * hull.area / hull.volume;
   const double followed = step_.dt / followSeconds(water, depth);
-  shader::FloatTold t{};
+  shader::FloatParameters t{};
   const FloatShape& touched = hull.touched;
   const double around = touched.radius > 0 ? touched.radius : hull.reach;
   t.mass = four(hull.mass, 1 / hull.mass, around, hull.inertia[1]);
@@ -181,7 +181,7 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   t.drag = four(body.drag * lighter, 0.5 * body.resistance * perLength * lighter, body.keel - 1.0,
                 hull.mass / (hull.outline * waterDensity));
   t.reach = four(reach, std::min(0.25, followed), body.friction, 0);
-  told_.push_back(t);
+  parameters_.push_back(t);
   // Computes the body's initial state.
   const glm::mat4 turned = rotationMatrix(body.rotation);
   const glm::vec3 middle = glm::vec3(turned * glm::vec4(glm::vec3(hull.middle), 0));
@@ -211,11 +211,12 @@ void FloatPlan::addBody(const WaterParameters& water, const std::string& name, s
   first_.emplace_back(level, level, level, 0.0F);
 }
 
-std::vector<glm::vec4> FloatPlan::toldAt(double time) const {
-  std::vector<glm::vec4> texels(told_.size() * static_cast<std::size_t>(shader::floatToldTexels));
-  for (std::size_t i = 0; i < told_.size(); ++i) {
+std::vector<glm::vec4> FloatPlan::parametersAt(double time) const {
+  std::vector<glm::vec4> texels(parameters_.size() *
+                                static_cast<std::size_t>(shader::floatParameterTexels));
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const WaterFloat& body = floats_[i];
-    shader::FloatTold t = told_[i];
+    shader::FloatParameters t = parameters_[i];
     t.reach.w = body.thrust.at(time);
     t.head = four(0, 0, static_cast<double>(body.steering.at(time)) / hulls_[i].aside2, body.air);
     if (body.tow) {
@@ -231,7 +232,7 @@ std::vector<glm::vec4> FloatPlan::toldAt(double time) const {
         t.pull = four(pull * pull, 2 * pull, pull * pull, 2 * pull);
       }
     }
-    std::memcpy(&texels[i * static_cast<std::size_t>(shader::floatToldTexels)], &t, sizeof t);
+    std::memcpy(&texels[i * static_cast<std::size_t>(shader::floatParameterTexels)], &t, sizeof t);
   }
   return texels;
 }

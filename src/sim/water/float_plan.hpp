@@ -10,7 +10,7 @@
 
 namespace simreel::shader {
 #include "glsl/water/float_types.glsl"
-static_assert(sizeof(FloatStep) == 96 && sizeof(FloatTold) == 16 * floatToldTexels);
+static_assert(sizeof(FloatStep) == 96 && sizeof(FloatParameters) == 16 * floatParameterTexels);
 }  // namespace simreel::shader
 
 namespace simreel::sim {
@@ -40,9 +40,9 @@ class FloatPlan {
   /// Returns the initial state: floatTexels elements per body.
   [[nodiscard]] const std::vector<glm::vec4>& first() const { return first_; }
   [[nodiscard]] shader::FloatStep step() const { return step_; }
-  /// Returns the bodies' parameters for the frame that starts at `time` (seconds): floatToldTexels elements
-  /// per body.
-  [[nodiscard]] std::vector<glm::vec4> toldAt(double time) const;
+  /// Returns the bodies' parameters for the frame that starts at `time` (seconds): floatParameterTexels
+  /// elements per body.
+  [[nodiscard]] std::vector<glm::vec4> parametersAt(double time) const;
   /// Returns the width in cells of the largest window of cells under a body.
   [[nodiscard]] int side() const { return side_; }
 
@@ -55,7 +55,7 @@ class FloatPlan {
   std::vector<WaterFloat> floats_;
   std::vector<Hull> hulls_;
   std::vector<glm::vec4> points_, first_;
-  std::vector<shader::FloatTold> told_;
+  std::vector<shader::FloatParameters> parameters_;
   shader::FloatStep step_{};
   double frameSeconds_ = 1;
   int side_ = 0;

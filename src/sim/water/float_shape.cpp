@@ -99,13 +99,13 @@ class NearestFaces {
 };
 
 /// Returns sample points of the surface, corners first, at most one per cube of a lattice.
-std::vector<glm::vec4> probesOf(const ClosedMesh& mesh, const glm::dvec3& middle, double apart) {
-  const glm::ivec3 cubes = glm::ivec3(glm::floor((mesh.high - mesh.low) / apart)) + 1;
+std::vector<glm::vec4> probesOf(const ClosedMesh& mesh, const glm::dvec3& middle, double probeDistance) {
+  const glm::ivec3 cubes = glm::ivec3(glm::floor((mesh.high - mesh.low) / probeDistance)) + 1;
   std::vector<bool> taken(placeIn(cubes, 0, 0, cubes.z));
   std::vector<glm::vec4> probes;
   const auto addProbe = [&](const glm::dvec3& p) {
     const glm::ivec3 cube =
-        glm::clamp(glm::ivec3(glm::floor((p - mesh.low) / apart)), glm::ivec3(0), cubes - 1);
+        glm::clamp(glm::ivec3(glm::floor((p - mesh.low) / probeDistance)), glm::ivec3(0), cubes - 1);
     const std::size_t i = placeIn(cubes, cube.x, cube.y, cube.z);
     if (taken[i]) return;
     taken[i] = true;
@@ -117,7 +117,7 @@ std::vector<glm::vec4> probesOf(const ClosedMesh& mesh, const glm::dvec3& middle
     const glm::dvec3 a(face.corners[0]);
     const glm::dvec3 ab = glm::dvec3(face.corners[1]) - a, ac = glm::dvec3(face.corners[2]) - a;
     const double longest = std::max({length(ab), length(ac), length(ac - ab)});
-    const int parts = static_cast<int>(std::ceil(2 * longest / apart));
+    const int parts = static_cast<int>(std::ceil(2 * longest / probeDistance));
     for (int i = 0; i <= parts; ++i)
       for (int j = 0; i + j <= parts; ++j)
         addProbe(a + ab * (double(i) / parts) + ac * (double(j) / parts));

@@ -58,7 +58,7 @@ struct WaterPaint {
   gl::In<"stamps"> stamps;
 };
 
-struct WaterShow {
+struct WaterDisplay {
   static constexpr auto file = "water/look.comp";
   gl::Uniform<"size", glm::ivec2> size;
   gl::Block<"LookBlock", shader::WaterLook> look;
@@ -104,7 +104,7 @@ WaterKernels::WaterKernels(const std::string& name, const WaterPlan& plan, bool 
     : plan_(&plan),
       size_(plan.parameters().size),
       rowsEach_(strips_ ? std::clamp(size_.x * size_.y / 60000, 4, 32) : 8),
-      steps_(name + " step", plan.toldSteps()),
+      steps_(name + " step", plan.uniformSteps()),
       look_(name + " look", sizeof(shader::WaterLook)) {
   for (int i = 0; i < 2; ++i) {
     cells_[i] = gl::Vec4Array(name + " cells", plan.firstCells());
@@ -121,7 +121,7 @@ WaterKernels::WaterKernels(const std::string& name, const WaterPlan& plan, bool 
     stripSteps_ = gl::Kernel<WaterStrips>(defines, {.sea = sea});
   else
     columns_ = gl::Kernel<WaterColumns>(defines, {.rows = rowsEach_, .sea = sea});
-  show_ = gl::Kernel<WaterShow>(defines);
+  display_ = gl::Kernel<WaterDisplay>(defines);
   sums_ = gl::Kernel<WaterSums>(defines);
   tally_ = Tally(name, defines);
   if (!plan.parameters().groundObject.empty()) bed_ = gl::Kernel<WaterBed>(defines);
@@ -132,10 +132,10 @@ WaterKernels::WaterKernels(const std::string& name, const WaterPlan& plan, bool 
 }
 
 void WaterKernels::startFrame(double time) {
-  std::vector<shader::WaterStep> told;
-  told.reserve(static_cast<std::size_t>(plan_->toldSteps()));
-  for (int i = 0; i < plan_->toldSteps(); ++i) told.push_back(plan_->stepAt(time, i));
-  steps_.upload(told);
+  std::vector<shader::WaterStep> uniforms;
+  uniforms.reserve(static_cast<std::size_t>(plan_->uniformSteps()));
+  for (int i = 0; i < plan_->uniformSteps(); ++i) uniforms.push_back(plan_->stepAt(time, i));
+  steps_.upload(uniforms);
   gl::barrier();
 }
 
@@ -143,7 +143,7 @@ void WaterKernels::step(int number) {
   const WaterStepPart part = {
       .size = size_,
       .stepNumber = number,
-      .step = steps_.at(plan_->toldSteps() > 1 ? static_cast<std::size_t>(number - 1) : 0),
+      .step = steps_.at(plan_->uniformSteps() > 1 ? static_cast<std::size_t>(number - 1) : 0),
       .status = status_,
       .cells = cells_[0],
       .next = cells_[1]};
@@ -187,7 +187,7 @@ void WaterKernels::fall(double time, int number) const {
 }
 
 void WaterKernels::look() const {
-  show_.dispatch(size_, {.size = size_, .look = look_, .cells = cells_[0], .shown = cells_[1]});
+  display_.dispatch(size_, {.size = size_, .look = look_, .cells = cells_[0], .shown = cells_[1]});
   gl::barrier();
 }
 

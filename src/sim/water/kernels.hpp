@@ -13,7 +13,7 @@ struct WaterStepPart;
 struct WaterColumns;
 struct WaterStrips;
 struct WaterPaint;
-struct WaterShow;
+struct WaterDisplay;
 struct WaterSums;
 struct WaterBed;
 class HeightField;
@@ -69,7 +69,7 @@ class WaterKernels {
   gl::Kernel<WaterColumns> columns_;
   gl::Kernel<WaterStrips> stripSteps_;
   gl::Kernel<WaterPaint> paint_, drop_;
-  gl::Kernel<WaterShow> show_;
+  gl::Kernel<WaterDisplay> display_;
   gl::Kernel<WaterSums> sums_;
   gl::Kernel<WaterBed> bed_;
   Tally tally_;

@@ -52,11 +52,12 @@ void WaterParameters::describe(scene::Fields& f) {
 }
 
 void WaterParameters::rainOnPond(scene::Fields& f) {
-  constexpr const char* told[] = {"level", "pools", "terrain", "rainfall", "drops", "rain", "strokes"};
+  constexpr const char* flatKeys[] = {"level", "pools", "terrain", "rainfall", "drops", "rain", "strokes"};
   f.leftOut("rain",
             "rain on a round pond, if none of \"level\", \"pools\", \"terrain\", \"rainfall\", "
             "\"drops\" and \"strokes\" is given; else off");
-  if (std::any_of(std::begin(told), std::end(told), [&](const char* name) { return f.given(name); }))
+  if (std::any_of(std::begin(flatKeys), std::end(flatKeys),
+                  [&](const char* name) { return f.given(name); }))
     return;
   const glm::vec2 extent = glm::vec2(size) * cell;
   const float smaller = std::min(extent.x, extent.y);

@@ -116,7 +116,9 @@ struct WaterParameters : ObjectParameters, HasColorRange {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   void ports(Ports& ports) const override;
-  [[nodiscard]] std::int64_t leastBlockBytes() const override { return std::int64_t{16} * size.x * size.y; }
+  [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
+    return std::int64_t{16} * size.x * size.y;
+  }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override { return Looks::landscape; }

@@ -54,7 +54,7 @@ class WaterPlan {
   [[nodiscard]] shader::WaterStep stepAt(double time, int step = 0) const;
   /// Returns the number of different step parameter blocks per frame: one per substep if there is swell,
   /// otherwise one.
-  [[nodiscard]] int toldSteps() const { return parameters_.swell.empty() ? 1 : substeps_; }
+  [[nodiscard]] int uniformSteps() const { return parameters_.swell.empty() ? 1 : substeps_; }
   /// Returns the drops and strokes applied to the state after `step` steps of the frame that starts at
   /// `time` (seconds).
   [[nodiscard]] WaterFalls fallsAt(double time, int step) const;

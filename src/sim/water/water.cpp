@@ -90,10 +90,10 @@ class Water : public Simulation {
     prepareDrawing();
     tallyNow(time);
   }
-  void carryOver(CarryOver& carry) override {
+  void visitCheckpointData(CarryOver& carry) override {
     carry.array("cells", kernels_.cells().buffer());
-    if (floats_) floats_->carryOver(carry);
-    if (heights_) heights_->carryOver(carry);
+    if (floats_) floats_->visitCheckpointData(carry);
+    if (heights_) heights_->visitCheckpointData(carry);
   }
 
   [[nodiscard]] int stepsPerFrame() const override { return plan_.substeps(); }
@@ -276,7 +276,7 @@ SimulationKind waterKind() {
       [](const scene::Object& object, const Setting& setting) {
         const auto& parameters = parametersOf<WaterParameters>(object);
         // If arrays are larger than common devices allow, validation does not create the cells.
-        const bool large = parameters.leastBlockBytes() > ObjectParameters::commonBlockBytes;
+        const bool large = parameters.minLargestBufferBytes() > ObjectParameters::commonBlockBytes;
         const WaterPlan plan =
             large ? WaterPlan::withoutCells(parameters, object.name, setting.seed, setting.frameSeconds)
                   : WaterPlan(parameters, object.name, setting.seed, setting.frameSeconds);

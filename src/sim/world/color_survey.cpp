@@ -82,13 +82,13 @@ const Field* shownField(const Drawables& drawables, const std::string& object) {
 /// is fixed.
 void separate(const AutoEnds& ends, double& low, double& high) {
   if (low < high) return;
-  const double apart = std::max(1e-6, std::abs(low));
+  const double span = std::max(1e-6, std::abs(low));
   if (ends.low && ends.high) {
     const double middle = low;
-    low = middle - 0.5 * apart;
-    high = middle + 0.5 * apart;
+    low = middle - 0.5 * span;
+    high = middle + 0.5 * span;
   } else if (ends.high) {
-    high = low + apart;
+    high = low + span;
   } else {
     low = high - std::max(1e-6, std::abs(high));
   }

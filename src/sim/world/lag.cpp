@@ -28,7 +28,7 @@ void Lag::follow(const glm::dvec3& x) {
   target_ = x;
 }
 
-void Lag::carryOver(CarryOver& carry) {
+void Lag::visitCheckpointData(CarryOver& carry) {
   carry.number("known", known_);
   for (glm::dvec3* each : {&target_, &place_, &speed_})
     for (int i = 0; i < 3; ++i) carry.number("lag", (*each)[i]);

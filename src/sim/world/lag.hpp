@@ -24,7 +24,7 @@ class Lag {
   [[nodiscard]] std::optional<glm::vec3> place() const {
     return known_ == 0 ? std::nullopt : std::optional(glm::vec3(place_));
   }
-  void carryOver(CarryOver& carry);
+  void visitCheckpointData(CarryOver& carry);
 
  private:
   double damping_, seconds_, rate_, decay_;

@@ -42,9 +42,9 @@ std::vector<void*> ObjectLinks::all(const PortInfo& port) const {
   return found;
 }
 
-Together ObjectLinks::together(const PortInfo& port) const {
+GroupState ObjectLinks::together(const PortInfo& port) const {
   const auto found = groups_.find(&port);
-  return found == groups_.end() ? Together{} : found->second;
+  return found == groups_.end() ? GroupState{} : found->second;
 }
 
 const Simulation* ObjectLinks::simulation(std::string_view object) const {

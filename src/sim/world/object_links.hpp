@@ -35,7 +35,7 @@ class ObjectLinks final : public Links {
 
   [[nodiscard]] void* find(const PortInfo& port, std::string_view object) const override;
   [[nodiscard]] std::vector<void*> all(const PortInfo& port) const override;
-  [[nodiscard]] Together together(const PortInfo& port) const override;
+  [[nodiscard]] GroupState together(const PortInfo& port) const override;
   [[nodiscard]] const Simulation* simulation(std::string_view object) const override;
   [[nodiscard]] const scene::Object* declared(std::string_view object) const override;
   [[nodiscard]] double now() const override { return now_(); }
@@ -52,7 +52,7 @@ class ObjectLinks final : public Links {
   std::vector<std::unique_ptr<Simulation>> simulations_;
   std::vector<Outlets> outlets_;
   std::map<const PortInfo*, void*> scene_;
-  std::map<const PortInfo*, Together> groups_;
+  std::map<const PortInfo*, GroupState> groups_;
 };
 
 }  // namespace simreel::sim

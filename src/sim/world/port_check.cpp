@@ -152,12 +152,14 @@ void checkPorts(Objects objects, const scene::Report& report) {
 std::vector<std::string> portMistakes(const scene::Scene& scene) {
   std::vector<std::string> mistakes;
   const Objects objects = scene.objects;
-  if (scene.camera.track) checkNamed<Middle>("camera.track", scene.camera.track->object, objects, mistakes);
-  if (scene.camera.follow) checkNamed<Way>("camera.follow", scene.camera.follow->object, objects, mistakes);
+  if (scene.camera.track)
+    checkNamed<CentrePort>("camera.track", scene.camera.track->object, objects, mistakes);
+  if (scene.camera.follow)
+    checkNamed<PathPort>("camera.follow", scene.camera.follow->object, objects, mistakes);
   for (const scene::Light& light : scene.lights)
     if (light.follow)
-      checkNamed<Way>(("lights." + light.name + ".follow").c_str(), light.follow->object, objects,
-                      mistakes);
+      checkNamed<PathPort>(("lights." + light.name + ".follow").c_str(), light.follow->object, objects,
+                           mistakes);
   const bool ground = scene.ground && scene.ground->solid;
   for (const scene::Object& object : objects)
     for (const Ports::Want& want : portsOf(object).wants) {
@@ -174,13 +176,14 @@ std::vector<std::string> portRemarks(const scene::Scene& scene) {
   std::vector<std::string> remarks;
   for (const scene::Object& provider : scene.objects)
     for (const Ports::Offer& offer : portsOf(provider).offers) {
-      if (offer.given || offer.port->passedBy == nullptr) continue;
+      if (offer.given || offer.port->skippedProviderText == nullptr) continue;
       const scene::Object* wanter = nullptr;
       for (const scene::Object& object : scene.objects)
         for (const Ports::Want& want : portsOf(object).wants)
           if (want.port == offer.port && want.all) wanter = &object;
       if (wanter != nullptr)
-        remarks.push_back(fmt::format(fmt::runtime(offer.port->passedBy), wanter->name, provider.name));
+        remarks.push_back(
+            fmt::format(fmt::runtime(offer.port->skippedProviderText), wanter->name, provider.name));
     }
   return remarks;
 }

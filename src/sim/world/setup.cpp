@@ -116,7 +116,7 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
 std::vector<std::string> tooLargeForMany(const scene::Scene& scene) {
   std::vector<std::string> sentences;
   for (const scene::Object& object : scene.objects) {
-    const auto bytes = parametersOf<ObjectParameters>(object).leastBlockBytes();
+    const auto bytes = parametersOf<ObjectParameters>(object).minLargestBufferBytes();
     if (bytes > ObjectParameters::commonBlockBytes)
       sentences.push_back(
           fmt::format("{} \"{}\" needs {} bytes in one buffer, and software drivers allow {} "

@@ -22,13 +22,13 @@ namespace simreel::sim {
 
 namespace {
 
-/// Returns the elements of a buffer from the byte offset `offset` on, but at most `most` elements.
+/// Returns the elements of a buffer from the byte offset `offset` on, but at most `maximum` elements.
 template <class T>
-std::vector<T> elementsOf(GLuint buffer, std::size_t offset, std::size_t most) {
+std::vector<T> elementsOf(GLuint buffer, std::size_t offset, std::size_t maximum) {
   GLint64 bytes = 0;
   glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &bytes);
   const auto room = static_cast<std::size_t>(bytes) - std::min(static_cast<std::size_t>(bytes), offset);
-  std::vector<T> elements(std::min(most, room / sizeof(T)));
+  std::vector<T> elements(std::min(maximum, room / sizeof(T)));
   if (elements.empty()) return elements;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(buffer, static_cast<GLintptr>(offset),
@@ -36,12 +36,12 @@ std::vector<T> elementsOf(GLuint buffer, std::size_t offset, std::size_t most) {
   return elements;
 }
 
-std::vector<glm::vec4> texelsOf(const gl::Texture& view, std::size_t most) {
-  return elementsOf<glm::vec4>(view.buffer(), view.offset(), most);
+std::vector<glm::vec4> texelsOf(const gl::Texture& view, std::size_t maximum) {
+  return elementsOf<glm::vec4>(view.buffer(), view.offset(), maximum);
 }
 
 std::size_t verticesOf(const Surface& surface) {
-  return static_cast<std::size_t>(std::max(surface.vertexCount, surface.vertexRoom));
+  return static_cast<std::size_t>(std::max(surface.vertexCount, surface.vertexCapacity));
 }
 
 /// Bit patterns of a position's coordinates, which identify a vertex. -0 has the same bits as 0.

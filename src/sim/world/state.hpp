@@ -41,10 +41,10 @@ struct World::State {
   std::vector<FrameObserver*> observers;  ///< objects that implement FrameObserver
   std::vector<std::size_t> observed;      ///< indices of the objects that the observers or the lags read
   std::unique_ptr<SummaryQueue> summaries;
-  std::function<void(const Drawables& before)> hearBefore;
+  std::function<void(const Drawables& before)> onFrameBefore_;
   bool stepping = false;  ///< true while a frame is simulated, and after an exception ended the frame
-  bool passed = false;    ///< true if the current frame was simulated by passTo(), so that its state must
-                          ///< not be read
+  bool passed = false;  ///< true if the current frame was simulated by advanceUndrawn(), so that its state
+                        ///< must not be read
 
   State(const scene::Scene& scene, bool timing, const std::function<void(long, long)>& presteps);
   void makeLags(double frameSeconds);

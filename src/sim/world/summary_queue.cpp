@@ -76,12 +76,12 @@ void SummaryQueue::start(int frame) {
       glCopyNamedBufferSubData(status->name(), statuses_.name(), 0, statusOffset(slot, i), 16);
     }
   }
-  const std::vector<int> countRows = copyCounts(slot);
+  const std::vector<int> countsPerObject = copyCounts(slot);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!arrays_.empty())
     glCopyNamedBufferSubData(sums_.name(), sumCopies_.name(), 0, static_cast<GLintptr>(sumOffset(slot)),
                              static_cast<GLsizeiptr>(arrays_.size()) * 16);
-  pending_.push_back({frame, slot, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0), countRows});
+  pending_.push_back({frame, slot, glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0), countsPerObject});
   glFlush();
 }
 
@@ -156,7 +156,7 @@ Summary SummaryQueue::summary(const Pending& from) const {
   }
   result.stateHash = StateHash::text(total);
   for (std::size_t i = 0; i < counting_.size(); ++i) {
-    auto& rows = result.counts.emplace_back(static_cast<std::size_t>(from.countRows[i]));
+    auto& rows = result.counts.emplace_back(static_cast<std::size_t>(from.countsPerObject[i]));
     if (!rows.empty())
       copyOut(countCopies_, countOffset(from.slot, counting_[i]), std::as_writable_bytes(std::span(rows)));
   }

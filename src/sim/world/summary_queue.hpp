@@ -68,7 +68,7 @@ class SummaryQueue {
     int frame;
     int slot;
     GLsync fence;
-    std::vector<int> countRows;  ///< number of uvec4 counts (rows times elements) per counting object
+    std::vector<int> countsPerObject;  ///< number of uvec4 counts (rows times elements) per counting object
   };
   /// Object that counts, and the index of the first of its rows in a slot of countCopies_.
   struct Counting {

@@ -26,9 +26,9 @@ namespace simreel::sim {
 
 namespace {
 
-constexpr int mostLooks = 48;
-constexpr std::size_t mostPoints = 1 << 17;  // maximum number of points per object, summed over all sampled
-                                             // frames
+constexpr int maxLooks = 48;
+constexpr std::size_t maxPoints = 1 << 17;  // maximum number of points per object, summed over all sampled
+                                            // frames
 constexpr double strayParticles = 0.01;
 
 const ParticleParameters* particlesOf(const scene::Object& object) {
@@ -37,7 +37,7 @@ const ParticleParameters* particlesOf(const scene::Object& object) {
 
 bool goesItsWay(const scene::Object& object) {
   const auto* parameters = dynamic_cast<const ObjectParameters*>(object.parameters.get());
-  return parameters != nullptr && parameters->wanders();
+  return parameters != nullptr && parameters->motionIsUnpredictable();
 }
 
 /// Scope guard: computes the scene in exact mode and suppresses output, because the actual run repeats the
@@ -113,7 +113,7 @@ std::vector<glm::vec3> placesOf(const Simulation& object) {
 /// Returns the frames to sample, which span the frames from 0 to the last.
 std::vector<int> framesToSee(const scene::Scene& scene) {
   const int last = scene.frameCount() - 1;
-  const int looks = std::min(last, mostLooks - 1);
+  const int looks = std::min(last, maxLooks - 1);
   std::vector<int> frames = {0};
   for (int i = 1; i <= looks; ++i) frames.push_back(static_cast<int>(std::int64_t{last} * i / looks));
   return frames;
@@ -130,7 +130,7 @@ bool isWithin(const scene::Box& room, const glm::vec3& at) {
 }
 
 /// Object whose motion is sampled.
-struct Traveller {
+struct SampledObject {
   std::size_t object = 0;
   std::size_t place = 0;  ///< index of the object in Survey::framed
   scene::Box near;        ///< region outside of which points are ignored
@@ -152,7 +152,7 @@ bool standsOnOwnGround(const scene::Scene& scene) {
 /// Samples an object's current positions. From particles, takes an evenly spaced subset, because the
 /// outermost are discarded later. From other objects, takes the outermost points. Leaves out particles that
 /// the ground hides.
-void look(const World& world, const scene::Scene& scene, std::size_t looks, Traveller& traveller) {
+void look(const World& world, const scene::Scene& scene, std::size_t looks, SampledObject& traveller) {
   std::vector<glm::vec3> places = placesOf(world.object(traveller.object));
   const ParticleParameters* particles = particlesOf(scene.objects[traveller.object]);
   const bool hides = particles != nullptr && !particles->collides && standsOnOwnGround(scene);
@@ -163,13 +163,14 @@ void look(const World& world, const scene::Scene& scene, std::size_t looks, Trav
   if (particles == nullptr)
     places = scene::outermost(places);
   else
-    stride += places.size() * looks / mostPoints;
+    stride += places.size() * looks / maxPoints;
   for (std::size_t i = 0; i < places.size(); i += stride) traveller.seen.push_back(places[i]);
 }
 
 /// Replaces an object's extent by the extent of the sampled points. Keeps the extent given by the
 /// parameters if no sampled point was inside the region.
-void frameSeen(const Traveller& traveller, const ParticleParameters* particles, scene::Framed& framed) {
+void updateExtent(const SampledObject& traveller, const ParticleParameters* particles,
+                  scene::Framed& framed) {
   if (traveller.seen.empty()) return;
   framed.points = particles == nullptr
                       ? scene::outermost(traveller.seen)
@@ -206,9 +207,9 @@ bool needsSurvey(const scene::Scene& scene) {
          std::any_of(scene.objects.begin(), scene.objects.end(), goesItsWay);
 }
 
-Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double most) {
+Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double maximum) {
   Survey survey;
-  std::vector<Traveller> travellers;
+  std::vector<SampledObject> travellers;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     std::optional<scene::Framed> one = scene::framedOf(scene.objects[i]);
     if (!one) continue;
@@ -222,23 +223,23 @@ Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double most) 
   const Quietly quietly(scene);
   World world(scene);
   survey.work = countedWork(scene, world);
-  if (survey.work > most) travellers.clear();
+  if (survey.work > maximum) travellers.clear();
   if (travellers.empty() && !measures) return survey;
   const std::vector<int> looks = framesToSee(scene);
   for (const int frame : measures ? allFrames(scene) : looks) {
     while (world.frame() < frame - 1) {
       if (watch) watch();
-      world.passTo(world.frame() + 1);
+      world.advanceUndrawn(world.frame() + 1);
     }
     world.advanceTo(frame);
     seeValues(world, survey.ranges);
     if (std::binary_search(looks.begin(), looks.end(), frame))
-      for (Traveller& one : travellers) look(world, scene, looks.size(), one);
+      for (SampledObject& one : travellers) look(world, scene, looks.size(), one);
     if (watch) watch();
   }
   if (travellers.empty()) return survey;
-  for (const Traveller& one : travellers)
-    frameSeen(one, particlesOf(scene.objects[one.object]), survey.framed[one.place]);
+  for (const SampledObject& one : travellers)
+    updateExtent(one, particlesOf(scene.objects[one.object]), survey.framed[one.place]);
   survey.frames = looks.back() + 1 - world.firstFrame();
   return survey;
 }

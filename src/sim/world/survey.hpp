@@ -11,7 +11,7 @@ namespace simreel::sim {
 /// Maximum work of a survey run. The work is the number of state bytes summed over all steps, weighted by
 /// the cost of a byte relative to a cloth of springs. The maximum takes about ten seconds with a software
 /// driver on two cores; `simreel -v render` prints the work and time of a run.
-constexpr double mostSurveyed = 1 << 30;
+constexpr double maxSurveyWork = 1 << 30;
 
 /// Returns true if the framing of a camera without a position, or the position of a stage, depends on the
 /// motion of cloth and particles.
@@ -23,7 +23,7 @@ struct Survey {
                                       ///< of objects
   int frames = 0;                     ///< number of frames simulated; 0 if the extents follow from the
                                       ///< parameters only
-  double work = 0;                    ///< work of all frames, in the unit of mostSurveyed
+  double work = 0;                    ///< work of all frames, in the unit of maxSurveyWork
   std::vector<SeenRange> ranges;      ///< colour ranges measured over all frames
 };
 
@@ -34,10 +34,10 @@ using SurveyWatch = std::function<void()>;
 /// cloth and particles in up to 48 evenly spaced frames. The result therefore depends only on the scene,
 /// not on the device or the requested frames. Ignores the outermost 1% of the particles in each direction,
 /// and points that have left the region given by the parameters by more than its size. If the work would
-/// exceed `most` (see mostSurveyed), it samples no motion. Measures the "auto" colour ranges in all frames,
-/// regardless of the work. Throws the errors of World.
+/// exceed `maximum` (see maxSurveyWork), it samples no motion. Measures the "auto" colour ranges in all
+/// frames, regardless of the work. Throws the errors of World.
 [[nodiscard]] Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch = {},
-                                  double most = mostSurveyed);
+                                  double maximum = maxSurveyWork);
 
 /// Moves the scene's stage to fit the surveyed extents, and also the camera if the scene does not place it;
 /// marks the camera as placed. Sets the colour ranges.

@@ -22,7 +22,7 @@ World& World::operator=(World&&) noexcept = default;
 void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   SIMREEL_CHECK(frame + state_->preroll >= state_->done);
   while (state_->done < frame + state_->preroll) {
-    if (state_->hearBefore && state_->done + 1 == frame + state_->preroll) tellBefore();
+    if (state_->onFrameBefore_ && state_->done + 1 == frame + state_->preroll) tellBefore();
     state_->passed = false;
     const double time = (state_->done - state_->preroll) / state_->fps;
     state_->stepping = true;
@@ -45,17 +45,17 @@ void World::advanceTo(int frame, const Watch& watch, const Stepped& stepped) {
   }
 }
 
-void World::onFrameBefore(std::function<void(const Drawables& before)> hear) {
-  state_->hearBefore = std::move(hear);
+void World::onFrameBefore(std::function<void(const Drawables& before)> callback) {
+  state_->onFrameBefore_ = std::move(callback);
 }
 
 void World::tellBefore() {
   if (state_->passed) complete();
-  do state_->hearBefore(drawables());
+  do state_->onFrameBefore_(drawables());
   while (grow());
 }
 
-void World::passTo(int frame) {
+void World::advanceUndrawn(int frame) {
   if (state_->done < frame + state_->preroll) state_->passed = true;
   while (state_->done < frame + state_->preroll) {
     state_->stepping = true;
@@ -85,14 +85,15 @@ void World::complete() {
     for (const std::size_t i : node.objects) state_->objects[i]->resumed(time());
 }
 
-void World::carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin) {
+void World::visitCheckpointData(CarryOver& carry,
+                                const std::function<void(const std::string& object)>& begin) {
   for (std::size_t i = 0; i < state_->objects.size(); ++i) {
     begin(state_->names[i]);
-    state_->objects[i]->carryOver(carry);
+    state_->objects[i]->visitCheckpointData(carry);
   }
   if (state_->lags.empty()) return;
   begin("camera");
-  for (Lag& lag : state_->lags) lag.carryOver(carry);
+  for (Lag& lag : state_->lags) lag.visitCheckpointData(carry);
 }
 
 void World::resumeAt(int frame) {
@@ -135,10 +136,10 @@ Drawables World::drawables() const {
     const std::size_t surfaces = all.surfaces.size();
     const std::size_t instances = all.instances.size();
     state_->objects[i]->publish(time(), all);
-    const double jumped = state_->objects[i]->jumpedBy(time());
+    const double lastJumpSeconds = state_->objects[i]->jumpedBy(time());
     for (std::size_t k = surfaces; k < all.surfaces.size(); ++k) {
       all.surfaces[k].object = &state_->names[i];
-      all.surfaces[k].jumped = jumped;
+      all.surfaces[k].lastJumpSeconds = lastJumpSeconds;
       if (all.surfaces[k].material->finish.doubleSided) all.surfaces[k].doubleSided = true;
     }
     for (std::size_t k = instances; k < all.instances.size(); ++k)
@@ -152,7 +153,7 @@ Drawables World::drawables() const {
           {&state_->names[*tracked], *middle, state_->objects[*tracked]->jumpedBy(time())});
   if (!state_->tracked)
     for (const Lag& lag : state_->lags)
-      if (const auto place = lag.place()) all.lagging.push_back(*place);
+      if (const auto place = lag.place()) all.dampedCamera.push_back(*place);
   return all;
 }
 

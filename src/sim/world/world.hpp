@@ -44,19 +44,20 @@ class World {
   void advanceTo(int frame, const Watch& watch = {}, const Stepped& stepped = {});
   /// Sets a callback for the frame before the target frame of advanceTo(). It receives the drawables of
   /// that frame whenever advanceTo() takes a step.
-  void onFrameBefore(std::function<void(const Drawables& before)> hear);
+  void onFrameBefore(std::function<void(const Drawables& before)> callback);
   /// Simulates up to `frame` as advanceTo() does but skips work needed only for display. The state must not
   /// be drawn, read or hashed until advanceTo() goes further or complete() is called.
-  void passTo(int frame);
+  void advanceUndrawn(int frame);
   /// Returns false if an exception ended a frame before all objects had stepped. The world must then not be
   /// used further.
   [[nodiscard]] bool isWhole() const;
-  /// Completes the state of a frame simulated by passTo() to what advanceTo() would have computed.
+  /// Completes the state of a frame simulated by advanceUndrawn() to what advanceTo() would have computed.
   void complete();
   /// Saves or restores the state that the next frame depends on, object by object. Calls `begin` with an
   /// object's name before the data of that object.
-  void carryOver(CarryOver& carry, const std::function<void(const std::string& object)>& begin);
-  /// Sets the current frame to `frame` (at least firstFrame()) after carryOver() has restored the state.
+  void visitCheckpointData(CarryOver& carry, const std::function<void(const std::string& object)>& begin);
+  /// Sets the current frame to `frame` (at least firstFrame()) after visitCheckpointData() has restored the
+  /// state.
   void resumeAt(int frame);
   /// Changes an object's parameters during the run (see Retunable). Returns false if the object does not
   /// support it.

@@ -44,11 +44,11 @@ MUTATIONS = {
 OTHERS = {"wireworld": ("life", ("automata/step.comp", "node = child(node, cellOf(here, j + 1));", "node = child(node, cellOf(here, j));"))}
 SCENERY = {"sphere", "capsule", "plane", "box", "cylinder", "cone", "torus", "disc", "text", "chart", "colorBar", "isolines", "scaleBar", "flow", "arrows", "streamlines"}  # kinds of objects that are not simulated
 FRAMES = 3  # number of the frame that is compared, after frame 0
-LATER = {"cave_map": 24, "wireworld": 24}  # Rock changes late in cave_map, and electrons are far apart in wireworld.
+LATER_FRAMES = {"cave_map": 24, "wireworld": 24}  # Rock changes late in cave_map, and electrons are far apart in wireworld.
 # Scenes with particles, with cells and with a grid of numbers. Some have a mutation in the list above, and some a
 # derived one. With SIMREEL_LONG, all scenes and kinds are tested.
-FEW = {"contour", "epidemic", "flag", "rain", "sparks"}
-EVERY = os.environ.get("SIMREEL_LONG") == "1"
+QUICK_SCENES = {"contour", "epidemic", "flag", "rain", "sparks"}
+ALL_SCENES = os.environ.get("SIMREEL_LONG") == "1"
 # Scenes whose first frame takes seconds without a GPU. Other scenes cover the same kinds.
 LONG_SCENES = set((SOURCE / "tests/long_scenes.txt").read_text(encoding="utf-8").split())
 
@@ -73,7 +73,7 @@ class Mutation(GoldenCase):
         return sorted(f for f in (SOURCE / "assets/scenes").glob("*.json") if f.stem not in LONG_SCENES)
 
     def scenes(self):
-        return [f for f in self.shipped() if EVERY or f.stem in FEW]
+        return [f for f in self.shipped() if ALL_SCENES or f.stem in QUICK_SCENES]
 
     def read(self, file):
         # Removes comments but keeps strings.
@@ -85,7 +85,7 @@ class Mutation(GoldenCase):
         the state. A full run of the scene starts with the same steps, so its baselines detect the change too."""
         scene = self.read(file)
         scene["time"]["start"] = 0
-        scene["test"] = {"frames": [0, LATER.get(file.stem, FRAMES)], "size": [16, 9]}
+        scene["test"] = {"frames": [0, LATER_FRAMES.get(file.stem, FRAMES)], "size": [16, 9]}
         del scene["checks"]
         return scene
 
@@ -119,7 +119,7 @@ class Mutation(GoldenCase):
         self.good("test", "shipped", "--update", "--repeat", "1", env=assets)
         runs = [(kind, mutation, [f.stem for f in self.scenes() if self.has_kind(f, kind) and f.stem not in OTHERS])
                 for kind, mutation in self.mutations().items()]
-        runs += [(kind, mutation, [scene]) for scene, (kind, mutation) in OTHERS.items() if EVERY or scene in FEW]
+        runs += [(kind, mutation, [scene]) for scene, (kind, mutation) in OTHERS.items() if ALL_SCENES or scene in QUICK_SCENES]
         for _, (name, old, new), names in runs:
             if not names:
                 continue

@@ -157,17 +157,17 @@ TEST_CASE("mirroring the light mirrors the shading of small balls") {
   const Picture other = lit(-1, 0.7F);
   const Picture below = lit(1, -0.7F);
   const Picture turned = lit(0.7F, 1);
-  int most = 0;
+  int maximum = 0;
   for (int y = -2; y <= 2; ++y)
     for (int x = -2; x <= 2; ++x) {
       const int here = plain.brightness(32 + x, 32 + y);
-      most = std::max(most, here);
+      maximum = std::max(maximum, here);
       // The tolerance covers dithering, whose offset differs between pixels.
       CHECK(std::abs(here - other.brightness(32 - x, 32 + y)) <= 3);
       CHECK(std::abs(here - below.brightness(32 + x, 32 - y)) <= 3);
       CHECK(std::abs(here - turned.brightness(32 - y, 32 - x)) <= 3);
     }
-  CHECK(most > 150);
+  CHECK(maximum > 150);
 }
 
 TEST_CASE("mesh instances align their z axis with the velocity") {

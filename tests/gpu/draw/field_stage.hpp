@@ -20,22 +20,22 @@ struct FieldStage {
              Memory memory = {3, 5, 2}, std::vector<glm::vec3> stops = {glm::vec3(0), glm::vec3(1)})
       : colors(std::move(stops)) {
     const int perWord = cells == Cells::bits ? 32 : cells == Cells::bytes ? 4 : 1;
-    const int apart = cells == Cells::floats   ? memory.cellWords
-                      : cells == Cells::colors ? memory.cellWords + 3
-                                               : 1;
+    const int cellStride = cells == Cells::floats   ? memory.cellWords
+                           : cells == Cells::colors ? memory.cellWords + 3
+                                                    : 1;
     field.cells = cells;
     field.size = size;
-    field.rowWords = (size.x * apart + perWord - 1) / perWord + memory.rowPadding;
+    field.rowWords = (size.x * cellStride + perWord - 1) / perWord + memory.rowPadding;
     field.firstWord = memory.firstWord;
-    field.cellWords = apart;
+    field.cellWords = cellStride;
     // Fills padding and gaps with words whose bits are all set (NaN as a float), so that reads of them are
     // detected.
     std::vector<std::uint32_t> words(
         static_cast<std::size_t>(memory.firstWord + field.rowWords * size.y + 3) / 4 * 4, 0xffffffffU);
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
-        auto& word =
-            words[static_cast<std::size_t>(memory.firstWord + y * field.rowWords + x * apart / perWord)];
+        auto& word = words[static_cast<std::size_t>(memory.firstWord + y * field.rowWords +
+                                                    x * cellStride / perWord)];
         const double v = value(x, y);
         if (cells == Cells::bits && v == 0) word &= ~(1U << (x % 32));
         if (cells == Cells::bytes)

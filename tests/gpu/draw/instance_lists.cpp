@@ -175,7 +175,7 @@ TEST_CASE("instances: visible instances are listed in the level of detail for th
       const Eye eye(stage.values);
       const bool sphere = shape == Shape::sphere;
       const double reach = sphere ? double{draw::InstanceShape::sphere().radius()} : 0.5;
-      const double least = sphere ? 0 : additive ? 1.25 : 0.57;  // min radius in pixels
+      const double minimum = sphere ? 0 : additive ? 1.25 : 0.57;  // min radius in pixels
       const double points = !additive ? 1.6 : draw::GlowSums::used() ? 5 : 64;
       const double error = gl::softwareDriver() ? 0.5 : 0.2;
       const int levels = stage.pass.visible(0).levels();
@@ -183,7 +183,7 @@ TEST_CASE("instances: visible instances are listed in the level of detail for th
       const auto expected = [&](std::size_t slot) -> std::optional<int> {
         const dvec3 p(places[slot]);
         const double own = 2 * reach * radiusAt(instances, places[slot]);
-        const double radius = std::max(own, least * std::max(eye.depth(p), 0.0) / eye.pixels);
+        const double radius = std::max(own, minimum * std::max(eye.depth(p), 0.0) / eye.pixels);
         const auto seen = inSight(eye, p, radius);
         if (seen != true) return seen ? std::optional(-1) : std::nullopt;
         const double pixels = radius * eye.pixels / std::max(eye.depth(p) - radius, 1e-3);
@@ -310,14 +310,15 @@ TEST_CASE(
       const dvec4 clip = eye.clip(p);
       CHECK(glm::length(square.place - dvec3(clip) / clip.w) < 1e-5);
       const double own = radiusAt(instances, places[list[i]]);
-      const double least = (glows ? 1.25 : 0.57) * eye.depth(p) / eye.pixels, radius = std::max(own, least);
+      const double minimum = (glows ? 1.25 : 0.57) * eye.depth(p) / eye.pixels,
+                   radius = std::max(own, minimum);
       const double sine = radius / glm::length(eye.place - p);
       const double outline = radius / std::sqrt(1 - sine * sine);
       near += outline > 1.02 * radius ? 1 : 0;
       const double side = glows ? 2 * radius : std::sqrt(std::numbers::pi) * outline;
       CHECK(square.side == doctest::Approx(side * eye.pixels / eye.depth(p)).epsilon(0.001).scale(0));
       if (glows) {
-        const double share = std::min(own / least, 1.0);
+        const double share = std::min(own / minimum, 1.0);
         const dvec3 light = dvec3(0.4, 0.3, 0.2) * 0.5 * share * share;
         if (light.z > 1e-6) CHECK(glm::length(square.light - light) < 0.004 * glm::length(light) + 6e-8);
         continue;

@@ -293,11 +293,11 @@ TEST_CASE("many glows have the light of one glow with their total brightness") {
   CHECK(one.brightness(16, 16) < 700);
   for (const auto& [count, each] : {std::pair{7U, 200.0F}, {700U, 2.0F}}) {
     const Picture many = picture(count, each);
-    int apart = 0;
+    int pixelDifference = 0;
     for (std::size_t i = 0; i < one.bytes.size(); ++i)
-      apart = std::max(apart, std::abs(int{one.bytes[i]} - int{many.bytes[i]}));
-    CHECK(apart <= (draw::GlowSums::used() ? 1 : 20));  // The tolerance is larger with half-float blending,
-                                                        // which rounds at each step.
+      pixelDifference = std::max(pixelDifference, std::abs(int{one.bytes[i]} - int{many.bytes[i]}));
+    CHECK(pixelDifference <= (draw::GlowSums::used() ? 1 : 20));  // The tolerance is larger with half-float
+                                                                  // blending, which rounds at each step.
   }
 }
 

@@ -140,7 +140,7 @@ TEST_CASE("lights: shadow edges are smooth ramps") {
 
 TEST_CASE("lights: no shadow acne under grazing light, on coarse maps and on round shapes") {
   testContext();
-  const auto apart = [](scene::Scene& scene, const sim::Drawables& drawables) {
+  const auto pixelDifference = [](scene::Scene& scene, const sim::Drawables& drawables) {
     scene.lights[0].shadow = false;
     const Picture plain = drawn(scene, drawables, {97, 97});
     scene.lights[0].shadow = true;
@@ -153,7 +153,7 @@ TEST_CASE("lights: no shadow acne under grazing light, on coarse maps and on rou
   scene.lights = {lampAt({-2.6F, 1.25F, 0.3F}, 60, true)};
   scene.lights[0].shadowSize = 64;
   GridStage wide({33, 33}, {-3, 1, -3}, {6, 0, 0}, {0, 0, 6});
-  CHECK(apart(scene, {.surfaces = {wide.surface}}) == 0);
+  CHECK(pixelDifference(scene, {.surfaces = {wide.surface}}) == 0);
   // The camera is distant, so it sees the ball with fewer facets than the shadow maps of the nearby lamp.
   InstanceStage ball(std::vector<glm::vec3>(1, glm::vec3(0, 1, 0)));
   ball.instances.shape = sim::Instances::Shape::sphere;
@@ -161,7 +161,7 @@ TEST_CASE("lights: no shadow acne under grazing light, on coarse maps and on rou
   scene.lights = {lampAt({0, 1.95F, 0}, 3, true)};
   scene.lights[0].shadowSize = 1024;
   scene.lights[0].shadowSoftness = 0.5F;
-  CHECK(apart(scene, {.instances = {ball.instances}}) == 0);
+  CHECK(pixelDifference(scene, {.instances = {ball.instances}}) == 0);
 }
 
 TEST_CASE("lights: a shadow starts at the foot of a standing object") {

@@ -35,10 +35,10 @@ double lobeOf(glm::dvec3 normal, glm::dvec3 view, glm::dvec3 light, double rough
 
 /// Returns the brightness of the brightest pixel.
 int brightest(const Picture& picture) {
-  int most = 0;
+  int maximum = 0;
   for (int y = 0; y < picture.size.y; ++y)
-    for (int x = 0; x < picture.size.x; ++x) most = std::max(most, picture.brightness(x, y));
-  return most;
+    for (int x = 0; x < picture.size.x; ++x) maximum = std::max(maximum, picture.brightness(x, y));
+  return maximum;
 }
 
 }  // namespace
@@ -216,12 +216,12 @@ TEST_CASE("lights: every type of drawable is lit") {
   const auto gained = [&](const sim::Drawables& drawables) {
     scene.lights.clear();
     const int dark = drawn(scene, drawables, {33, 33}).brightness(16, 16);
-    int least = 765;
+    int minimum = 765;
     for (const bool shadow : {false, true}) {
       scene.lights = {lampAt({0, 0.5F, 4}, 40, shadow)};
-      least = std::min(least, drawn(scene, drawables, {33, 33}).brightness(16, 16) - dark);
+      minimum = std::min(minimum, drawn(scene, drawables, {33, 33}).brightness(16, 16) - dark);
     }
-    return least;
+    return minimum;
   };
   CHECK(gained({}) == 0);
 

@@ -74,9 +74,9 @@ inline Distance distance(const OverlayPicture<OverlayBytes>& a, const OverlayPic
   Distance distance;
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
     for (std::size_t k = 0; k < 4; ++k) {
-      const int apart = std::abs(a.pixels[i][k] - b.pixels[i][k]);
-      distance.max = std::max(distance.max, apart);
-      distance.mean += apart / (4.0 * static_cast<double>(a.pixels.size()));
+      const int pixelDifference = std::abs(a.pixels[i][k] - b.pixels[i][k]);
+      distance.max = std::max(distance.max, pixelDifference);
+      distance.mean += pixelDifference / (4.0 * static_cast<double>(a.pixels.size()));
     }
   return distance;
 }

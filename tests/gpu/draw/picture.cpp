@@ -131,7 +131,7 @@ TEST_CASE("exceeding a GL limit names the limit and its value") {
   const std::string exact = failure(scene, {8, 8}, 3, ExitCode::usage, scene::Rasterizer::exact);
   CHECK(exact.find("3 samples per pixel: the exact rasterizer has 1, 2, 4, 8 and 16") != std::string::npos);
   const std::string samples = failure(scene, {8, 8}, 3, ExitCode::device, scene::Rasterizer::driver);
-  CHECK(samples.find("this device has 1, ") != std::string::npos);
+  CHECK(samples.find("set \"samples\" to 1, ") != std::string::npos);
   CHECK(samples.find("4") != std::string::npos);
   CHECK(samples.find("GL_MAX_SAMPLES") != std::string::npos);
   scene.sun.shadowSize = max + 1;

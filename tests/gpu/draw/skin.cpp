@@ -55,7 +55,7 @@ TEST_CASE("skin: a constant field gives the plain colour and the surface's own n
     const Picture expected =
         worn(plain(value == 0.0 ? look.low : look.high, look.roughness), field, squareMesh(), oblique);
     CHECK(skin.brightness(65, 65) > 60);
-    CHECK(maxApart(skin, expected) <= 1);
+    CHECK(maxDifference(skin, expected) <= 1);
   }
 }
 
@@ -154,10 +154,10 @@ TEST_CASE("skin: triplanar projection of a square equals its uv projection, and 
   const Picture expected = worn(material, field, byUv, oblique);
   material.skin->projection = scene::Skin::Projection::triplanar;
   material.skin->repeats = 0.5F;
-  CHECK(maxApart(worn(material, field, byUv, oblique), expected) <= 2);
+  CHECK(maxDifference(worn(material, field, byUv, oblique), expected) <= 2);
   byUv.uvs.clear();
   material.skin->projection = scene::Skin::Projection::uv;
-  CHECK(maxApart(worn(material, field, byUv, oblique), expected) <= 2);
+  CHECK(maxDifference(worn(material, field, byUv, oblique), expected) <= 2);
   // The sphere needs all three projection planes, because the pattern must be visible on every side.
   sim::Mesh sphere = sim::sphereMesh(1.0F, {49, 25});
   sphere.uvs.clear();
@@ -196,16 +196,16 @@ TEST_CASE("skin: a sphere and a torus show no seam") {
   for (const sim::Mesh& mesh : {sim::sphereMesh(1.5F, {65, 33}), sim::torusMesh(1.0F, 0.5F, {65, 33})}) {
     const Picture seam = worn(grown(Look::leather), field, mesh, lit);
     const Picture none = worn(grown(Look::leather), rolled, mesh, turned);
-    int apart = 0;
+    int pixelDifference = 0;
     int max = 0;
     for (int y = 0; y < 131; ++y)
       for (int x = 0; x < 131; ++x) {
         const int difference = std::abs(seam.brightness(x, y) - none.brightness(x, y));
-        apart += difference > 12;
+        pixelDifference += difference > 12;
         max = std::max(max, difference);
       }
     CAPTURE(max);
-    CHECK(apart <= 8);  // Triangle edges may be rasterized one pixel apart.
+    CHECK(pixelDifference <= 8);  // Triangle edges may be rasterized one pixel apart.
     CHECK(seam.brightness(65, 45) > 30);
   }
 }
@@ -244,13 +244,14 @@ TEST_CASE("skin: the look map shows the field's own colours") {
   const FieldStage field(Cells::floats, {2, 2}, [](int, int) { return 0.5; }, {3, 5, 2},
                          {glm::vec3(1, 0, 0), glm::vec3(0, 0.6F, 0.3F), glm::vec3(0, 0, 1)});
   const auto look = draw::lookOf(*grown(Look::map).skin);
-  CHECK(maxApart(worn(grown(Look::map), field), worn(plain({0, 0.6F, 0.3F}, look.roughness), field)) <= 1);
+  CHECK(maxDifference(worn(grown(Look::map), field), worn(plain({0, 0.6F, 0.3F}, look.roughness), field)) <=
+        1);
   FieldStage states(Cells::bytes, {5, 3}, [](int, int) { return 1.0; }, {3, 5, 2},
                     {glm::vec3(1, 0, 0), glm::vec3(0.1F, 0.2F, 0.7F), glm::vec3(0, 0, 1)});
   states.field.categories = true;
   states.field.range = {0, 2};
-  CHECK(maxApart(worn(grown(Look::map), states), worn(plain({0.1F, 0.2F, 0.7F}, look.roughness), states)) <=
-        1);
+  CHECK(maxDifference(worn(grown(Look::map), states),
+                      worn(plain({0.1F, 0.2F, 0.7F}, look.roughness), states)) <= 1);
 }
 
 TEST_CASE("skin: only the cracks look glows in the dark") {
@@ -303,6 +304,6 @@ TEST_CASE("skin: grids can have skins; NaN values and missing fields are harmles
     // Without the field, the surface is drawn as if it had no skin.
     const Picture bare = drawn(scene, {.surfaces = {sheet.surface}}, {65, 65});
     sheet.material.skin.reset();
-    CHECK(maxApart(bare, drawn(scene, {.surfaces = {sheet.surface}}, {65, 65})) == 0);
+    CHECK(maxDifference(bare, drawn(scene, {.surfaces = {sheet.surface}}, {65, 65})) == 0);
   }
 }

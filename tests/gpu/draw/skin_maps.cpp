@@ -36,7 +36,7 @@ draw::SkinMaps mapsOf(const scene::Material& material, const FieldStage& field, 
   return maps;
 }
 
-float apart(const glm::vec4& a, const glm::vec4& b) {
+float pixelDifference(const glm::vec4& a, const glm::vec4& b) {
   const glm::vec4 d = glm::abs(a - b);
   return std::max({d.x, d.y, d.z, d.w});
 }
@@ -53,8 +53,8 @@ Steps stepsOf(const std::vector<glm::vec4>& texels, glm::ivec2 size) {
   };
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      (x + 1 == size.x ? steps.seam : steps.inside).push_back(apart(at(x, y), at(x + 1, y)));
-      (y + 1 == size.y ? steps.seam : steps.inside).push_back(apart(at(x, y), at(x, y + 1)));
+      (x + 1 == size.x ? steps.seam : steps.inside).push_back(pixelDifference(at(x, y), at(x + 1, y)));
+      (y + 1 == size.y ? steps.seam : steps.inside).push_back(pixelDifference(at(x, y), at(x, y + 1)));
     }
   std::sort(steps.inside.begin(), steps.inside.end());
   std::sort(steps.seam.begin(), steps.seam.end());
@@ -86,9 +86,9 @@ TEST_CASE("skin maps: rolling the field by half rolls the maps by exactly half")
           const auto there =
               static_cast<std::size_t>((y + size.y / 2) % size.y * size.x + (x + size.x / 2) % size.x);
           const glm::vec4 glow = glm::max(glm::vec4(draw::lookOf(*grown(look).skin).high, 1), glm::vec4(1));
-          max = std::max({max, apart(a.surface[there], b.surface[here]),
-                          apart(a.relief[there], b.relief[here]),
-                          apart(a.light[there] / glow, b.light[here] / glow)});
+          max = std::max({max, pixelDifference(a.surface[there], b.surface[here]),
+                          pixelDifference(a.relief[there], b.relief[here]),
+                          pixelDifference(a.light[there] / glow, b.light[here] / glow)});
         }
       CHECK(max < 0.5F / 255);  // The texture unit rounds the sampling position to 1/256 texel.
     }

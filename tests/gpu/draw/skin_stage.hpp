@@ -86,7 +86,7 @@ inline simreel::scene::Scene roomWith(const simreel::scene::Material& material) 
 }
 
 /// Returns the max difference of any channel between two pictures.
-inline int maxApart(const Picture& a, const Picture& b) {
+inline int maxDifference(const Picture& a, const Picture& b) {
   int max = 0;
   for (std::size_t i = 0; i < a.bytes.size(); ++i) max = std::max(max, std::abs(a.bytes[i] - b.bytes[i]));
   return max;

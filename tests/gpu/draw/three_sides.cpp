@@ -34,7 +34,7 @@ Picture seenFrom(const Ball& ball, glm::vec3 direction, glm::vec3 light) {
   return drawn(scene, {.surfaces = {ball.stage.surface}}, {129, 129}, 1);
 }
 
-bool isMost(glm::ivec3 c, int channel) {
+bool isMaximum(glm::ivec3 c, int channel) {
   return c[channel] > c[(channel + 1) % 3] + 60 && c[channel] > c[(channel + 2) % 3] + 60;
 }
 
@@ -53,9 +53,9 @@ TEST_CASE("textures without uv: a triplanar texture is upright and not mirrored 
     const Picture picture = seenFrom(ball, side, side);
     // The texture's origin is at the ball's centre. The texture's first texel is to the right of the origin
     // and below it.
-    CHECK(isMost(picture.at(64 + 29, 64 + 29), 0));
-    CHECK(isMost(picture.at(64 - 29, 64 + 29), 1));
-    CHECK(isMost(picture.at(64 + 29, 64 - 29), 2));
+    CHECK(isMaximum(picture.at(64 + 29, 64 + 29), 0));
+    CHECK(isMaximum(picture.at(64 - 29, 64 + 29), 1));
+    CHECK(isMaximum(picture.at(64 + 29, 64 - 29), 2));
     CHECK(picture.brightness(64 - 29, 64 - 29) > 300);
   }
 }

@@ -117,7 +117,7 @@ FUNCTION vec4 askedOfLine(int i) {
   int links = min(lineLinks, segmentLinks);
   float longer = readSegment(0, links - 1);
   float pins = pinsOf(0, links);
-  lineGive = i % 2 == 0 ? giveOf(longer, pins > 1.0f) : keptGive(pins);
+  lineGive = i % 2 == 0 ? edgeComplianceOf(longer, pins > 1.0f) : minCompliance(pins);
   Reach first = firstOfSegment(links);
   Reach last = lastOfSegment(links);
   LineRow row = separatorRow(last, first);
@@ -164,8 +164,8 @@ FUNCTION vec4 asked(int i) {
   Corner a = cornerOf(here, vec4(somePlace(i, 15), 0.0f), vec4(somePlace(i, 16), 0.0f));
   Corner b = cornerOf(loadPosition(neighbour(at, 1, 0)), vec4(somePlace(i, 17), 0.0f), vec4(somePlace(i, 18), 0.0f));
   Corner c = cornerOf(loadPosition(neighbour(at, 0, 1)), vec4(somePlace(i, 19), 0.0f), vec4(somePlace(i, 20), 0.0f));
-  Fended most = fendedByEdge(notFended(), 0, a, b);
-  most = fendedByFace(most, i % 2, a, b, c);
-  most = together(most, fendedByEdge(notFended(), 1, a, c));
-  return i % 4 < 2 ? vec4(most.shift, most.squared) : vec4(most.change, mayMeet(0, a) ? 1.0f : 0.0f);
+  ThinPush maximum = pushedByEdge(notPushed(), 0, a, b);
+  maximum = pushedByFace(maximum, i % 2, a, b, c);
+  maximum = together(maximum, pushedByEdge(notPushed(), 1, a, c));
+  return i % 4 < 2 ? vec4(maximum.shift, maximum.squared) : vec4(maximum.change, mayMeet(0, a) ? 1.0f : 0.0f);
 }

@@ -6,7 +6,7 @@ ContactStep contactStep;
 FUNCTION vec4 asked(int i) {
   contactStep.perDt = 64.0f;
   contactStep.recovery = 0.25f;
-  contactStep.mostRecovery = 0.03125f;
+  contactStep.maxRecovery = 0.03125f;
   contactStep.horizon = 4.0f;
   contactStep.quanta = 65536.0f;
   contactStep.perQuanta = 0.0000152587890625f;
@@ -42,5 +42,5 @@ FUNCTION vec4 asked(int i) {
   vec3 kept = keptWithin(a + ways[1], a, 0.5f, min(a, b), max(a, b));
   vec4 carries = carriesOf(near, firstGoesFurther(near, ways[0], ways[1]), heights, after, ways[2], thick);
   precise vec3 all_ = correction + 2.0f * kept + vec3(carries);
-  return vec4(all_, float(quantaOf(correction, near.shares.y).x + claimOf(near.shares.x)));
+  return vec4(all_, float(quantaOf(correction, near.shares.y).x + massWeightOf(near.shares.x)));
 }

@@ -16,8 +16,8 @@ FUNCTION vec4 loadFloat(int i) {
   if (i % floatTexels == 1) return vec4(0.6f, 0.0f, place.x < 0.0f ? -0.8f : 0.0f, place.x < 0.0f ? 0.0f : 0.8f);
   return vec4(place, 0.25f);
 }
-FUNCTION vec4 loadTold(int i) {
-  int body = i / floatToldTexels, what = i % floatToldTexels;
+FUNCTION vec4 loadParameters(int i) {
+  int body = i / floatParameterTexels, what = i % floatParameterTexels;
   if (what == 0) return vec4(2.0f, 0.5f, 0.75f, 0.25f);
   if (what == 1) return vec4(3.0f, 2.0f, 4.0f, 0.0f);
   if (what == 2) return vec4(0.125f, -0.25f, 0.5f, 6.0f);
@@ -66,7 +66,7 @@ FUNCTION vec4 asked(int i) {
   floats.deepest = 0.125f;
   floats.thin = 0.03125f;
   floats.dry = 0.0078125f;
-  floats.most = 0.75f;
+  floats.maximum = 0.75f;
   floats.west = i % 3 == 0 ? periodicEdge : wallEdge;
   floats.east = floats.west;
   floats.north = i % 5 == 0 ? periodicEdge : wallEdge;
@@ -74,7 +74,7 @@ FUNCTION vec4 asked(int i) {
   floats.count = 2;
   FloatBody first = floatBody(0);
   FloatBody second = floatBeside(first, floatBody(1));
-  FloatTold a = floatTold(0), b = floatTold(1);
+  FloatParameters a = floatParameters(0), b = floatParameters(1);
   int what = i % 8;
   if (what == 0) return floatDistance(b, 2.0f * somePlace(i, 11));
   if (what < 3) {

@@ -17,6 +17,6 @@ FUNCTION vec3 somePlace(int i, int k) {
 }
 
 // Returns an integer from 0 to most - 1.
-FUNCTION int someOf(int i, int k, int most) {
-  return int((diced(i, k).x >> 8u) % uint(most));
+FUNCTION int someOf(int i, int k, int maximum) {
+  return int((diced(i, k).x >> 8u) % uint(maximum));
 }

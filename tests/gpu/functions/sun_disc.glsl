@@ -18,7 +18,7 @@ FUNCTION vec4 asked(int i) {
   r.near = 0.25f + 0.25f * place.z;
   r.rise = i % 3 == 0 ? vec2(0.0f) : 0.015625f * vec2(somePlace(i, 1));
   r.spread = 16.0f;
-  r.least = i % 4 == 0 ? 0.5f : 2.0f;
-  r.most = 12.0f;
+  r.minimum = i % 4 == 0 ? 0.5f : 2.0f;
+  r.maximum = 12.0f;
   return vec4(sunDiscFraction(r), planeNear(r, vec2(place.y, place.x)), 0.0f, 0.0f);
 }

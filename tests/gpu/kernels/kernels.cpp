@@ -186,11 +186,11 @@ TEST_CASE("user kernels: out-of-bounds reads return zero, and out-of-bounds writ
   read.bindStorage(static_cast<GLuint>(bindingOf(kernel, "_Read")));
   sim::kernelProgram("kernel", kernel.body()).dispatchGroups(1, 1, 1);
   gl::barrier();
-  const auto stored = data.readAll<std::uint32_t>(), told = read.readAll<std::uint32_t>();
+  const auto stored = data.readAll<std::uint32_t>(), reported = read.readAll<std::uint32_t>();
   CHECK(std::vector(stored.begin(), stored.begin() + 9) ==
         std::vector<std::uint32_t>{1, 0, 0, 2, 0, 0, 3, 0, 0});
-  INFO(fmt::format("{}", fmt::join(told.begin(), told.begin() + 11, " ")));
-  CHECK(std::vector(told.begin(), told.begin() + 11) ==
+  INFO(fmt::format("{}", fmt::join(reported.begin(), reported.begin() + 11, " ")));
+  CHECK(std::vector(reported.begin(), reported.begin() + 11) ==
         std::vector<std::uint32_t>{0, 0, 0, 0, 5, 6, 7, 5, 8, 0, 102});
 }
 

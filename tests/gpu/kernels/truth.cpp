@@ -68,7 +68,7 @@ double toInt(double x) {
 double toUint(double x) {
   return std::isnan(x) ? 0 : std::clamp(std::trunc(x), 0.0, 4294967295.0);
 }
-double least(double x, double y) {
+double minimum(double x, double y) {
   return std::isnan(x) ? y : std::isnan(y) ? x : std::min(x, y);
 }
 double greatest(double x, double y) {
@@ -116,9 +116,9 @@ const Function functions[] = {
   {"fract(x)", [](double x, double) { return x - std::floor(x); }, 0, 6e-8, [](double x, double) { return std::isfinite(x); }, 0xbeaf2ff1ed17d75},
   {"abs(x)", [](double x, double) { return std::abs(x); }, 0, 0, always, 0xcf49ac7841ec85dd},
   {"sign(x)", [](double x, double) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }, 0, 0, always, 0x40f6a3a4ce872325},
-  {"min(x, y)", least, 0, 0, always, 0xe3098bb3f40a4621},
+  {"min(x, y)", minimum, 0, 0, always, 0xe3098bb3f40a4621},
   {"max(x, y)", greatest, 0, 0, always, 0x21fca58fe2dbc539},
-  {"clamp(x, -1.5, 2.5)", [](double x, double) { return least(greatest(x, -1.5), 2.5); }, 0, 0, always, 0xfa4f72682894bc40},
+  {"clamp(x, -1.5, 2.5)", [](double x, double) { return minimum(greatest(x, -1.5), 2.5); }, 0, 0, always, 0xfa4f72682894bc40},
   {"step(x, y)", [](double x, double y) { return y < x ? 0.0 : 1.0; }, 0, 0, [](double x, double y) { return !std::isnan(x) && !std::isnan(y); }, 0x3fe2444c75072325},
   {"smoothstep(-2.0, 3.0, x)", [](double x, double) { const double t = std::clamp((x + 2) / 5, 0.0, 1.0); return t * t * (3 - 2 * t); }, 1e-6, 1e-6, [](double x, double) { return std::isfinite(x); }, 0x28f5430e8e150894},
   {"mix(x, y, 0.3)", [](double x, double y) { return x + rounded(y - x) * static_cast<double>(third); }, 2e-7, 0,
@@ -138,7 +138,7 @@ const Function functions[] = {
   {"inverse(mat3(x, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.0))[0].x", [](double x, double) { return 1 / x; }, 1e-6, 0, [](double x, double) { return below(x, 1e18) && std::abs(x) > 1e-15; }, 0x475371a182ee1b8a},
   {"float(int(x))", [](double x, double) { return rounded(toInt(x)); }, 0, 0, always, 0xe064acb1f256fd7b},
   {"float(uint(x))", [](double x, double) { return rounded(toUint(x)); }, 0, 0, always, 0xce99758c2338632},
-  {"ldexp(x, int(clamp(y, -40.0, 40.0)))", [](double x, double y) { return std::ldexp(x, static_cast<int>(least(greatest(y, -40.0), 40.0))); }, 0, 0, [](double, double y) { return !std::isnan(y); }, 0x11bf42b4b8dbb4e9},
+  {"ldexp(x, int(clamp(y, -40.0, 40.0)))", [](double x, double y) { return std::ldexp(x, static_cast<int>(minimum(greatest(y, -40.0), 40.0))); }, 0, 0, [](double, double y) { return !std::isnan(y); }, 0x11bf42b4b8dbb4e9},
   {"unpackHalf2x16(packHalf2x16(vec2(x, y))).x", [](double x, double) { return x; }, 4.9e-4, 3e-8, [](double x, double) { return !(std::abs(x) > 65504); }, 0x7bb1e60e6d8e325},
   {"uintBitsToFloat(floatBitsToUint(x) / floatBitsToUint(y))", [](double x, double y) { return bits(bits(y) == 0 ? UINT32_MAX : bits(x) / bits(y)); }, 0, 0, always, 0xa895a297019cb9a2},
   {"uintBitsToFloat(floatBitsToUint(x) % floatBitsToUint(y))", [](double x, double y) { return bits(bits(y) == 0 ? UINT32_MAX : bits(x) % bits(y)); }, 0, 0, always, 0xde2be5cc31b1dda2},
@@ -222,8 +222,8 @@ bool right(float made, double truth, double relative, double absolute) {
   const double value = static_cast<double>(made);
   if (std::isnan(truth)) return std::isnan(value);
   if (std::isnan(value)) return false;
-  const double most = static_cast<double>(std::numeric_limits<float>::max());
-  if (std::abs(truth) > most * (1 - relative))
+  const double maximum = static_cast<double>(std::numeric_limits<float>::max());
+  if (std::abs(truth) > maximum * (1 - relative))
     return value == std::copysign(inf, truth) || std::abs(value / truth - 1) <= relative;
   return std::abs(value - truth) <= relative * std::abs(truth) + absolute + 1.01e-30 ||
          rounded(truth) == value;

@@ -92,7 +92,7 @@ TEST_CASE("body: skinned vertices and normals equal the equation in double preci
   const auto positions = surface.positions().buffer().readAll<glm::vec4>();
   const auto normals = surface.normals().buffer().readAll<glm::vec4>();
   double farthest = 0;
-  double mostTurned = 0;
+  double maxTurned = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     glm::dmat4 blend(0);
     for (int k = 0; k < 4; ++k) {
@@ -103,10 +103,10 @@ TEST_CASE("body: skinned vertices and normals equal the equation in double preci
     const glm::dvec3 normal = glm::normalize(glm::transpose(glm::inverse(glm::dmat3(blend))) *
                                              glm::dvec3(figure.mesh.normals[i]));
     farthest = std::max(farthest, glm::length(place - glm::dvec3(positions[i])));
-    mostTurned = std::max(mostTurned, glm::length(normal - glm::dvec3(normals[i])));
+    maxTurned = std::max(maxTurned, glm::length(normal - glm::dvec3(normals[i])));
   }
   CHECK(farthest < 2e-6);  // The distance is in metres.
-  CHECK(mostTurned < 1e-5);
+  CHECK(maxTurned < 1e-5);
 }
 
 TEST_CASE("body: scaled bones keep normals perpendicular to the skin") {

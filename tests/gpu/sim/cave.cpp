@@ -59,18 +59,18 @@ void checkCells(const sim::CaveGrowth& growth, const CaveTwin& twin, const char*
 
 /// Returns the minimum total distance that connects all rooms, from Prim's spanning tree over the Manhattan
 /// distances of all pairs of cells.
-long leastLength(const CaveTwin& twin, glm::ivec2 size) {
+long minLength(const CaveTwin& twin, glm::ivec2 size) {
   const std::vector<int> region = twin.regions(false);
   std::map<int, std::vector<glm::ivec2>> rooms;
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x)
       if (const int r = region[twin.index(x, y)]; r >= 0) rooms[r].emplace_back(x, y);
   const auto distance = [](const auto& a, const auto& b) {
-    long least = std::numeric_limits<long>::max();
+    long minimum = std::numeric_limits<long>::max();
     for (const glm::ivec2 p : a)
       for (const glm::ivec2 q : b)
-        least = std::min(least, static_cast<long>(std::abs(p.x - q.x) + std::abs(p.y - q.y)));
-    return least;
+        minimum = std::min(minimum, static_cast<long>(std::abs(p.x - q.x) + std::abs(p.y - q.y)));
+    return minimum;
   };
   if (rooms.empty()) return 0;
   std::map<int, long> open;
@@ -83,7 +83,7 @@ long leastLength(const CaveTwin& twin, glm::ivec2 size) {
     sum += nearest->second;
     const int joined = nearest->first;
     open.erase(nearest);
-    for (auto& [r, least] : open) least = std::min(least, distance(rooms[r], rooms[joined]));
+    for (auto& [r, minimum] : open) minimum = std::min(minimum, distance(rooms[r], rooms[joined]));
   }
   return sum;
 }
@@ -144,7 +144,7 @@ TEST_CASE("all open cells of a cave are connected by corridors of minimum total 
     CaveTwin twin(p, seed);
     for (int i = 0; i < p.smoothing; ++i) twin.smooth();
     twin.clean();
-    CHECK(twin.corridorLength() == leastLength(twin, p.size));
+    CHECK(twin.corridorLength() == minLength(twin, p.size));
     sim::CaveGrowth growth("cave", p, seed);
     growth.advance(p.lastStage());
     const auto cells = growth.cells().buffer().readAll<unsigned>();

@@ -102,7 +102,7 @@ class GroupAlone final : public sim::Links {
   explicit GroupAlone(int steps) : steps_(steps) {}
   [[nodiscard]] void* find(const sim::PortInfo&, std::string_view) const override { return nullptr; }
   [[nodiscard]] std::vector<void*> all(const sim::PortInfo&) const override { return {}; }
-  [[nodiscard]] sim::Together together(const sim::PortInfo&) const override { return {true, steps_}; }
+  [[nodiscard]] sim::GroupState together(const sim::PortInfo&) const override { return {true, steps_}; }
   [[nodiscard]] const sim::Simulation* simulation(std::string_view) const override { return nullptr; }
   [[nodiscard]] const scene::Object* declared(std::string_view) const override { return nullptr; }
   [[nodiscard]] double now() const override { return 0; }
@@ -153,8 +153,8 @@ void compareContact(const std::vector<sim::ClothParameters>& sheets, int frames,
     object.parameters = std::make_unique<sim::ParticleParameters>(*particles);
     cloud = sim::simulationNamed("particles").make(object, setting);
     members.push_back(outletOf<sim::LockStep>(*cloud));
-    balls = std::make_unique<ParticlesTwin>(sim::ParticlePlan(particles->inStep(*sheets.front().substeps),
-                                                              5, frameSeconds, 1 << 10, colliders));
+    balls = std::make_unique<ParticlesTwin>(sim::ParticlePlan(
+        particles->withContactSubsteps(*sheets.front().substeps), 5, frameSeconds, 1 << 10, colliders));
     parts.push_back(balls->plan().contactPart());
   }
   for (const MovedSolid* solid : solids) parts.push_back(solid->contactPart());

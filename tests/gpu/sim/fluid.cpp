@@ -53,18 +53,18 @@ void setSides(sim::FluidParameters& p, Side left, Side right, Side top, Side bot
 void checkFluid(const std::vector<glm::vec4>& got, const std::vector<glm::vec4>& want, const char* what) {
   REQUIRE(got.size() >= want.size());
   std::size_t different = 0, first = 0;
-  float most = 0;
+  float maximum = 0;
   for (std::size_t i = 0; i < want.size(); ++i) {
     bool same = true;
     for (int c = 0; c < 4; ++c) {
       same = same && std::bit_cast<std::uint32_t>(got[i][c]) == std::bit_cast<std::uint32_t>(want[i][c]);
-      most = std::max(most, std::abs(want[i][c]));
+      maximum = std::max(maximum, std::abs(want[i][c]));
     }
     if (!same && different++ == 0) first = i;
   }
   CHECK_MESSAGE(different == 0, what, ": ", different, " of ", want.size(), " elements differ, first ",
                 first);
-  CHECK(most > 0.01F);  // The state must not stay zero.
+  CHECK(maximum > 0.01F);  // The state must not stay zero.
 }
 
 /// Steps the GPU fluid and its CPU twin and compares every word of the state.

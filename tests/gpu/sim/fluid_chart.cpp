@@ -101,7 +101,7 @@ TEST_CASE("fluid chart: drag and lift are recorded for each frame, also for fram
   };
   const auto rows = rowsOf(chart);
   CHECK(rows == rowsOf(unseen.charts[0]));
-  double most = 0;
+  double maximum = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto shown = [&](int curve) { return rows[i][curve] / 16777216.0 * 8 - 3; };
     // The inflow goes down, so the lift, which is positive upwards, is negative. The drag, to the right, is
@@ -109,10 +109,10 @@ TEST_CASE("fluid chart: drag and lift are recorded for each frame, also for fram
     CHECK(shown(0) == doctest::Approx(std::clamp(measured[i][9] / 2500, -3.0, 5.0)).epsilon(1e-5));
     CHECK(shown(1) == doctest::Approx(std::clamp(measured[i][8] / 2500, -3.0, 5.0)).epsilon(1e-5));
     if (i > 0) CHECK(shown(1) > 0.1);
-    most = std::max(most, std::abs(shown(0)));
+    maximum = std::max(maximum, std::abs(shown(0)));
   }
-  CHECK(most > 0.05);
-  CHECK(most < 3);
+  CHECK(maximum > 0.05);
+  CHECK(maximum < 3);
 }
 
 TEST_CASE("fluid chart: it grows during a run and continues from a checkpoint") {
@@ -127,10 +127,10 @@ TEST_CASE("fluid chart: it grows during a run and continues from a checkpoint") 
     chart.add(measured);
   }
   ChartKeeper keeper;
-  chart.carryOver(keeper);
+  chart.visitCheckpointData(keeper);
   keeper.takes = true;
   sim::FluidChart other("b", p, 0.1);
-  other.carryOver(keeper);
+  other.visitCheckpointData(keeper);
   other.add(measured);
   CHECK(other.frames() == 1501);
   const auto rows = other.rows().readAll<glm::uvec4>();

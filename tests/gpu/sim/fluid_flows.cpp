@@ -32,6 +32,6 @@ TEST_CASE("fluid: a cylinder ten cells wide has roughly the published shedding f
   }
   CHECK(divergence <= sim::maxFluidDivergence);
   CHECK(wake.frequency(1.2) * 0.1 == doctest::Approx(0.30).epsilon(0.08));
-  CHECK(wake.mostDrag(1.2) == doctest::Approx(3.23).epsilon(0.17));
-  CHECK(wake.mostLift(1.2) == doctest::Approx(1.1).epsilon(0.2));
+  CHECK(wake.maxDrag(1.2) == doctest::Approx(3.23).epsilon(0.17));
+  CHECK(wake.maxLift(1.2) == doctest::Approx(1.1).epsilon(0.2));
 }

@@ -60,17 +60,17 @@ std::vector<float> planesOf(const sim::Simulation& simulation, glm::ivec2 size) 
 void comparePlanes(const std::vector<float>& got, const std::vector<float>& want) {
   REQUIRE(got.size() == want.size());
   std::size_t different = 0, first = 0;
-  float least = want[0], most = want[0];
+  float minimum = want[0], maximum = want[0];
   for (std::size_t i = 0; i < got.size(); ++i) {
     if (std::bit_cast<std::uint32_t>(got[i]) != std::bit_cast<std::uint32_t>(want[i]) && different++ == 0)
       first = i;
-    least = std::min(least, want[i]);
-    most = std::max(most, want[i]);
+    minimum = std::min(minimum, want[i]);
+    maximum = std::max(maximum, want[i]);
   }
   CHECK_MESSAGE(different == 0, different, " of ", got.size(), " cells differ, first ", first, ": ",
                 got[first], " for ", want[first]);
-  CHECK(std::isfinite(most - least));
-  CHECK(most - least > 1e-3F);  // The state is not constant.
+  CHECK(std::isfinite(maximum - minimum));
+  CHECK(maximum - minimum > 1e-3F);  // The state is not constant.
 }
 
 /// Steps the GPU simulation and the CPU evaluator and compares every bit of the state.
@@ -288,12 +288,12 @@ TEST_CASE(
       const sim::ReactionPlan plan(p, "r", 5, plateFrame);
       REQUIRE(sim::stripsCan(plan.rule(), plan.program(), p.space(), p.boundary, size.x));
       std::vector<glm::vec4> first;
-      std::vector<sim::RuleCut> cuts = {{}, {1, 32, 4, 2, 3, 7}};
+      std::vector<sim::WorkSplit> cuts = {{}, {1, 32, 4, 2, 3, 7}};
       if (isClosed)
         cuts.push_back({1, 32, 4, 4, 3, 0});
       else
         cuts.insert(cuts.end(), {{1, 32, 4, 4, 6, 0}, {1, 32, 4, 8, 5, 16}});
-      for (const sim::RuleCut& cut : cuts) {
+      for (const sim::WorkSplit& cut : cuts) {
         sim::ReactionKernels kernels("r", plan, false, cut);
         kernels.setValues(plan.valuesAt(0));
         kernels.advance(0, 11, 0);
@@ -313,18 +313,18 @@ TEST_CASE(
       R"X("dt": 1, "species": {"u": {"start": "1 + 0.3*random(1)", "rate": "u^3"}, "v": {"diffusion": 0.1, "rate": "u"}})X");
   p.size = {64, 48};
   const sim::ReactionPlan plan(p, "r", 5, plateFrame);
-  std::vector<unsigned> told;
-  for (const sim::RuleCut& cut :
-       {sim::RuleCut{}, sim::RuleCut{1, 32, 4, 4, 6, 0}, sim::RuleCut{1, 32, 4, 3, 4, 9}}) {
+  std::vector<unsigned> expected;
+  for (const sim::WorkSplit& cut :
+       {sim::WorkSplit{}, sim::WorkSplit{1, 32, 4, 4, 6, 0}, sim::WorkSplit{1, 32, 4, 3, 4, 9}}) {
     sim::ReactionKernels kernels("r", plan, false, cut);
     kernels.setValues(plan.valuesAt(0));
     kernels.advance(0, 12, 0);
     gl::barrier();
     const auto status = kernels.status().readAll<unsigned>();
     CHECK(status[0] < 12);
-    if (told.empty()) told = status;
-    CHECK(status[0] == told[0]);
-    CHECK(status[1] == told[1]);
+    if (expected.empty()) expected = status;
+    CHECK(status[0] == expected[0]);
+    CHECK(status[1] == expected[1]);
   }
 }
 
@@ -334,7 +334,7 @@ TEST_CASE("reaction: every cut of the work into workgroups gives the same bits")
   p.size = {147, 83};
   const sim::ReactionPlan plan(p, "r", 5, plateFrame);
   std::vector<glm::vec4> first;
-  for (const sim::RuleCut& cut : {sim::RuleCut{}, sim::RuleCut{1, 8, 8}, sim::RuleCut{7, 32, 1}}) {
+  for (const sim::WorkSplit& cut : {sim::WorkSplit{}, sim::WorkSplit{1, 8, 8}, sim::WorkSplit{7, 32, 1}}) {
     sim::ReactionKernels kernels("r", plan, false, cut);
     kernels.setValues(plan.valuesAt(0));
     kernels.advance(0, 9, 0);
@@ -359,9 +359,9 @@ TEST_CASE(
   for (const sim::ReactionPlan& plan :
        {sim::ReactionPlan(p, "r", 5, plateFrame), sim::ReactionPlan(failing, "r", 5, plateFrame)}) {
     std::vector<glm::vec4> first;
-    std::vector<unsigned> told;
+    std::vector<unsigned> expected;
     for (const int rows : {2, 5, 16}) {
-      sim::RuleCut cut;
+      sim::WorkSplit cut;
       cut.volumeRows = rows;
       sim::ReactionKernels kernels("r", plan, false, cut);
       kernels.setValues(plan.valuesAt(0));
@@ -371,9 +371,9 @@ TEST_CASE(
       const auto status = kernels.status().readAll<unsigned>();
       if (first.empty()) {
         first = cells;
-        told = status;
+        expected = status;
       }
-      CHECK(status == told);
+      CHECK(status == expected);
       if (status[0] > 9) CHECK(std::equal(first.begin(), first.end(), cells.begin(), cells.end()));
     }
   }

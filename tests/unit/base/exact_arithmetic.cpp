@@ -104,14 +104,14 @@ TEST_CASE("exact arithmetic: logarithm and power are within their error bounds")
     else
       worst = std::max(worst, std::abs((static_cast<double>(shader::exactLog(x)) - right) / right));
   };
-  const int least = shader::floatBitsToInt(1e-30F);
-  for (int bits = least; bits < 0x7f800000; bits += 251) check(bits);
+  const int minimum = shader::floatBitsToInt(1e-30F);
+  for (int bits = minimum; bits < 0x7f800000; bits += 251) check(bits);
   for (int bits = shader::floatBitsToInt(0.7F); bits < shader::floatBitsToInt(1.42F); bits += 5)
     check(bits);
   CHECK(worst < 3e-7);
   worst = 0;
   for (const float y : {0.0F, 1e-3F, 1.0F / 3, 1.0F, 2.0F})
-    for (int bits = least; bits < 0x7e800000; bits += 2513) {
+    for (int bits = minimum; bits < 0x7e800000; bits += 2513) {
       const float x = shader::intBitsToFloat(bits);
       const double power = static_cast<double>(y) * std::log(static_cast<double>(x));
       if (std::abs(power) > 68.9) continue;

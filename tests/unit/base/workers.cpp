@@ -15,18 +15,18 @@ using namespace simreel;
 
 namespace {
 
-struct Heard {
+struct Received {
   std::vector<std::string> said;  ///< answers in the order of delivery
   int ready = 0;
 };
 
 /// Returns a work force whose workers answer "item 3" and so on. Early items take longer. `end`: may end a
 /// worker's process before it answers.
-WorkForce force(
-    std::size_t workers, std::size_t items, Heard& heard,
+WorkerPool force(
+    std::size_t workers, std::size_t items, Received& received,
     const std::function<void(const Task&)>& end = [](const Task&) {}) {
   std::signal(SIGPIPE, SIG_IGN);
-  WorkForce made;
+  WorkerPool made;
   made.workers = workers;
   made.items = items;
   made.work = [items, end](WorkerLine& line) {
@@ -39,16 +39,16 @@ WorkForce force(
       line.answer(item, "item " + std::to_string(item) + std::string(200'000, '.'));
     }
   };
-  made.ready = [&heard](const std::string& text) {
+  made.ready = [&received](const std::string& text) {
     CHECK(text == "hello");
-    ++heard.ready;
+    ++received.ready;
   };
-  made.done = [&heard](std::size_t item, const std::string& text) {
+  made.done = [&received](std::size_t item, const std::string& text) {
     CHECK(text.size() == 200'000 + 5 + std::to_string(item).size());
-    heard.said.push_back(text.substr(0, text.find('.')));
+    received.said.push_back(text.substr(0, text.find('.')));
   };
-  made.lost = [&heard](std::size_t item, const Loss& loss) {
-    heard.said.push_back((loss.late ? "late " : "lost ") + std::to_string(item) + ": " + loss.how);
+  made.lost = [&received](std::size_t item, const Loss& loss) {
+    received.said.push_back((loss.late ? "late " : "lost ") + std::to_string(item) + ": " + loss.how);
   };
   made.again = [](std::size_t, const Loss&) { return false; };
   made.alone = [](std::size_t) { return false; };
@@ -60,32 +60,32 @@ WorkForce force(
 
 TEST_CASE("workers: results are returned in order, independent of how long each takes") {
   for (const std::size_t workers : {1U, 3U, 20U}) {
-    Heard heard;
-    employ(force(workers, 7, heard));
-    CHECK(heard.said ==
+    Received received;
+    runWorkers(force(workers, 7, received));
+    CHECK(received.said ==
           std::vector<std::string>{"item 0", "item 1", "item 2", "item 3", "item 4", "item 5", "item 6"});
-    CHECK(heard.ready == 1);
+    CHECK(received.ready == 1);
   }
-  Heard none;
-  employ(force(2, 1, none));
+  Received none;
+  runWorkers(force(2, 1, none));
   CHECK(none.said == std::vector<std::string>{"item 0"});
 }
 
 TEST_CASE("workers: a worker that dies loses only its current item and reports how it died") {
-  Heard heard;
-  employ(force(2, 6, heard, [](const Task& task) {
+  Received received;
+  runWorkers(force(2, 6, received, [](const Task& task) {
     if (task.item == 1) ::raise(SIGKILL);
     if (task.item == 3) ::_exit(7);
     if (task.item == 4) throw std::runtime_error("no more paper");
   }));
-  CHECK(heard.said == std::vector<std::string>{"item 0", "lost 1: was ended by signal 9 (Killed)", "item 2",
-                                               "lost 3: ended with status 7",
-                                               "lost 4: failed: no more paper", "item 5"});
+  CHECK(received.said == std::vector<std::string>{"item 0", "lost 1: was ended by signal 9 (Killed)",
+                                                  "item 2", "lost 3: ended with status 7",
+                                                  "lost 4: failed: no more paper", "item 5"});
 }
 
 TEST_CASE("workers: each worker has a slot, and a replacement takes the dead worker's slot") {
-  Heard heard;
-  WorkForce placed = force(2, 6, heard);
+  Received received;
+  WorkerPool placed = force(2, 6, received);
   placed.work = [](WorkerLine& line) {
     line.ready("hello");
     while (const auto task = line.next()) {
@@ -96,7 +96,7 @@ TEST_CASE("workers: each worker has a slot, and a replacement takes the dead wor
   };
   std::string places;
   placed.done = [&](std::size_t, const std::string& place) { places += place; };
-  employ(placed);
+  runWorkers(placed);
   CHECK(places.size() == 5);
   CHECK(std::count(places.begin(), places.end(), '0') + std::count(places.begin(), places.end(), '1') == 5);
   CHECK(places.find('1') != std::string::npos);
@@ -104,16 +104,16 @@ TEST_CASE("workers: each worker has a slot, and a replacement takes the dead wor
 }
 
 TEST_CASE("workers: a job in which every worker dies at every item ends") {
-  Heard heard;
-  employ(force(2, 5, heard, [](const Task&) { ::_exit(9); }));
-  CHECK(heard.said.size() == 5);
-  for (const std::string& said : heard.said) CHECK(said.ends_with(": ended with status 9"));
+  Received received;
+  runWorkers(force(2, 5, received, [](const Task&) { ::_exit(9); }));
+  CHECK(received.said.size() == 5);
+  for (const std::string& said : received.said) CHECK(said.ends_with(": ended with status 9"));
 }
 
 TEST_CASE("workers: a lost item is retried by another worker, which knows the number of tries") {
-  Heard heard;
+  Received received;
   std::vector<std::string> losses;
-  WorkForce patient = force(2, 4, heard, [](const Task& task) {
+  WorkerPool patient = force(2, 4, received, [](const Task& task) {
     if (task.item == 0 || (task.item == 2 && task.losses < 2)) ::_exit(3 + task.losses);
   });
   patient.again = [&losses](std::size_t item, const Loss& loss) {
@@ -122,8 +122,8 @@ TEST_CASE("workers: a lost item is retried by another worker, which knows the nu
              return known.starts_with(std::to_string(item));
            }) < 3;
   };
-  employ(patient);
-  CHECK(heard.said ==
+  runWorkers(patient);
+  CHECK(received.said ==
         std::vector<std::string>{"lost 0: ended with status 5", "item 1", "item 2", "item 3"});
   std::sort(losses.begin(), losses.end());
   CHECK(losses == std::vector<std::string>{"0 ended with status 3", "0 ended with status 4",
@@ -132,18 +132,18 @@ TEST_CASE("workers: a lost item is retried by another worker, which knows the nu
 }
 
 TEST_CASE("workers: a worker that exceeds its time is killed with its children; other workers continue") {
-  Heard heard;
+  Received received;
   int pipe[2] = {-1, -1};
   REQUIRE(::pipe(pipe) == 0);
-  WorkForce hurried = force(2, 4, heard, [&](const Task& task) {
+  WorkerPool hurried = force(2, 4, received, [&](const Task& task) {
     if (task.item != 1) return;
     if (::fork() == 0) ::pause();  // This child process keeps the pipe open while it lives.
     ::pause();
   });
-  hurried.patience = 1.5;
-  employ(hurried);
-  CHECK(heard.said == std::vector<std::string>{"item 0", "late 1: took longer than 1.5 s, and was ended",
-                                               "item 2", "item 3"});
+  hurried.itemTimeout = 1.5;
+  runWorkers(hurried);
+  CHECK(received.said == std::vector<std::string>{"item 0", "late 1: took longer than 1.5 s, and was ended",
+                                                  "item 2", "item 3"});
   ::close(pipe[1]);
   char none = 0;
   CHECK(::read(pipe[0], &none, 1) == 0);  // End of file means that no writer is left.
@@ -151,19 +151,19 @@ TEST_CASE("workers: a worker that exceeds its time is killed with its children; 
 }
 
 TEST_CASE("workers: an error that stops all workers is thrown") {
-  Heard heard;
-  WorkForce refused = force(2, 3, heard);
+  Received received;
+  WorkerPool refused = force(2, 3, received);
   refused.work = [](WorkerLine&) { fail(ExitCode::device, "no paint"); };
-  CHECK_THROWS_WITH_AS(employ(refused), "no paint", UserError);
+  CHECK_THROWS_WITH_AS(runWorkers(refused), "no paint", UserError);
   refused.work = [](WorkerLine&) { ::raise(SIGKILL); };
-  CHECK_THROWS_WITH_AS(employ(refused), "the worker process was ended by signal 9 (Killed)", UserError);
-  CHECK(heard.said.empty());
+  CHECK_THROWS_WITH_AS(runWorkers(refused), "the worker process was ended by signal 9 (Killed)", UserError);
+  CHECK(received.said.empty());
 }
 
 TEST_CASE("workers: a worker that cannot start is reported, whether or not other workers started") {
   for (const unsigned later : {0U, 1U}) {
-    Heard heard;
-    WorkForce some = force(2, 3, heard);
+    Received received;
+    WorkerPool some = force(2, 3, received);
     const auto work = some.work;
     some.work = [&](WorkerLine& line) {
       ::usleep(line.place() == later ? 60'000 : 0);
@@ -172,21 +172,21 @@ TEST_CASE("workers: a worker that cannot start is reported, whether or not other
     };
     const int screen = ::dup(2), said = makeMemoryFile("said");
     ::dup2(said, 2);
-    employ(some);
+    runWorkers(some);
     ::dup2(screen, 2);
     ::close(screen);
     CHECK(endOfMemoryFile(said) ==
           "simreel: warning: the work continues with one process less, because that process no brush\n");
     ::close(said);
-    CHECK(heard.said.size() == 3);
+    CHECK(received.said.size() == 3);
   }
 }
 
 TEST_CASE("workers: exclusive items run alone and in order") {
-  Heard heard;
+  Received received;
   int pipe[2] = {-1, -1};
   REQUIRE(::pipe(pipe) == 0);
-  WorkForce careful = force(4, 6, heard);
+  WorkerPool careful = force(4, 6, received);
   careful.alone = [](std::size_t item) { return item % 2 == 1; };
   careful.work = [&](WorkerLine& line) {
     line.ready("hello");
@@ -199,25 +199,25 @@ TEST_CASE("workers: exclusive items run alone and in order") {
       line.answer(item, "item " + std::to_string(item) + std::string(200'000, '.'));
     }
   };
-  employ(careful);
+  runWorkers(careful);
   char marks[7] = {};
   CHECK(::read(pipe[0], marks, 6) == 6);
   CHECK(std::string(marks) == "1.3.5.");
-  CHECK(heard.said.size() == 6);
+  CHECK(received.said.size() == 6);
   ::close(pipe[0]);
   ::close(pipe[1]);
 }
 
 TEST_CASE("workers: finished results are kept after an interrupt") {
-  Heard heard;
+  Received received;
   int signal = 0;
-  WorkForce stopped = force(1, 5, heard);
+  WorkerPool stopped = force(1, 5, received);
   stopped.interrupted = [&] { return signal; };
   const auto done = stopped.done;
   stopped.done = [&](std::size_t item, const std::string& text) {
     done(item, text);
     if (item == 1) signal = SIGINT;
   };
-  employ(stopped);
-  CHECK(heard.said == std::vector<std::string>{"item 0", "item 1"});
+  runWorkers(stopped);
+  CHECK(received.said == std::vector<std::string>{"item 0", "item 1"});
 }

@@ -99,7 +99,9 @@ TEST_CASE("footprints: texels, mip levels and taps equal double precision") {
        {glm::ivec2(37, 21), glm::ivec2(64, 5), glm::ivec2(1, 9), glm::ivec2(1, 1)}) {
     TextureReads texture = noiseOf(size);
     std::mt19937 random(7);
-    const auto number = [&](double most) { return (static_cast<double>(random()) * 0x1p-31 - 1) * most; };
+    const auto number = [&](double maximum) {
+      return (static_cast<double>(random()) * 0x1p-31 - 1) * maximum;
+    };
     int far = 0;
     int levels = 0;
     int several = 0;

@@ -76,8 +76,8 @@ TEST_CASE(
     view.near = 0.05F;
     view.rayDown.z = 0.3F * any(random) / static_cast<float>(size.y);
     const float ground = any(random);
-    const glm::vec4 near = simreel::draw::nearOfGround(view, ground);
-    const glm::vec3 rays = simreel::draw::raysAside(view);
+    const glm::vec4 near = simreel::draw::groundNearnessOf(view, ground);
+    const glm::vec3 rays = simreel::draw::rayBounds(view);
     const double down = static_cast<double>(ground) - view.eye.y;
     CAPTURE(i);
     double farthest = 0;

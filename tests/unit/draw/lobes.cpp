@@ -136,7 +136,8 @@ TEST_CASE("shares: under a white sky a white ball reflects all light and a black
       const double nv = std::sqrt(1 - (i + 0.5) / rings);
       const glm::dvec2 lobe = mirroredOf(nv, roughness * roughness);
       const auto shares = [&](float base) {
-        return lobes::sharesOf(glm::vec3(base), static_cast<float>(roughness), 0, static_cast<float>(nv));
+        return lobes::barycentricWeights(glm::vec3(base), static_cast<float>(roughness), 0,
+                                         static_cast<float>(nv));
       };
       wanted += (0.04 * lobe.x + lobe.y) / rings;
       found += static_cast<double>(shares(0).mirrored.x) / rings;

@@ -14,7 +14,7 @@ TEST_CASE("orbit: turn, elevation and distance give the camera position") {
   orbit.distance = 4.0F;
   orbit.elevation = 0.0F;
   const glm::vec3 target(1, 2, 3);
-  const auto eye = [&] { return draw::standAround(target, orbit, 0).eye - target; };
+  const auto eye = [&] { return draw::orbitPose(target, orbit, 0).eye - target; };
   CHECK(glm::length(eye() - glm::vec3(0, 0, 4)) < 1e-5F);
   orbit.turn = 90.0F;
   CHECK(glm::length(eye() - glm::vec3(4, 0, 0)) < 1e-5F);

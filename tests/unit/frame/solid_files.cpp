@@ -81,9 +81,9 @@ TEST_CASE("the objects of a scene are nodes of one binary glTF, which assimp rea
     REQUIRE(node.mNumMeshes == (i == 1 ? 0 : 1));
     if (i == 1) continue;
     const aiMesh& read = *scene->mMeshes[node.mMeshes[0]];
-    float least = read.mVertices[0].x;
-    for (unsigned k = 0; k < read.mNumVertices; ++k) least = std::min(least, read.mVertices[k].x);
-    CHECK(least == (i == 0 ? 0.0F : 3.0F));
+    float minimum = read.mVertices[0].x;
+    for (unsigned k = 0; k < read.mNumVertices; ++k) minimum = std::min(minimum, read.mVertices[k].x);
+    CHECK(minimum == (i == 0 ? 0.0F : 3.0F));
   }
 }
 

@@ -85,20 +85,21 @@ bool passes(const FrameResult& result) {
 }  // namespace
 
 TEST_CASE("judge: the criteria depend on the machine that drew the baseline") {
-  CHECK(asked(maker, maker) == Asked::equal);
-  CHECK(asked(maker, otherMachine()) == Asked::near);
+  CHECK(requiredMatch(maker, maker) == RequiredMatch::equal);
+  CHECK(requiredMatch(maker, otherMachine()) == RequiredMatch::near);
   Origin other = maker;
   other.driver = "llvmpipe (LLVM 19), OpenGL 4.5 Mesa 25";
-  CHECK(asked(maker, other) == Asked::near);
+  CHECK(requiredMatch(maker, other) == RequiredMatch::near);
   other.drawing = "others";
-  CHECK(asked(maker, other) == Asked::tolerance);
+  CHECK(requiredMatch(maker, other) == RequiredMatch::tolerance);
   other = maker;
   other.numerics = "others";
-  CHECK(asked(maker, other) == Asked::tolerance);
+  CHECK(requiredMatch(maker, other) == RequiredMatch::tolerance);
   // In baselines of earlier versions, drawing fingerprint and machine are unknown.
-  CHECK(asked({"numerics", "", "", ""}, maker) == Asked::near);
-  CHECK(asked({"others", "", "", ""}, maker) == Asked::tolerance);
-  CHECK(asked({"numerics", "drawing", "", ""}, {"numerics", "drawing", "", ""}) == Asked::near);
+  CHECK(requiredMatch({"numerics", "", "", ""}, maker) == RequiredMatch::near);
+  CHECK(requiredMatch({"others", "", "", ""}, maker) == RequiredMatch::tolerance);
+  CHECK(requiredMatch({"numerics", "drawing", "", ""}, {"numerics", "drawing", "", ""}) ==
+        RequiredMatch::near);
 }
 
 TEST_CASE("judge: on the baseline's own machine all bits must be equal") {

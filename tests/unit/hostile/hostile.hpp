@@ -22,9 +22,9 @@ inline long peak() {
 /// Returns the processor time of this process and its children in seconds.
 inline double spent() {
   double seconds = 0;
-  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+  for (const int processes : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
     rusage usage{};
-    ::getrusage(who, &usage);
+    ::getrusage(processes, &usage);
     for (const timeval& time : {usage.ru_utime, usage.ru_stime})
       seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   }

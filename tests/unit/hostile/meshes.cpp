@@ -194,7 +194,7 @@ TEST_CASE("pipes as companion files of a mesh do not block") {
 }
 
 TEST_CASE("isolated work returns bytes and errors, and its crashes do not affect the process") {
-  const Allotment small{std::size_t{64} << 20, 1};
+  const ProcessLimits small{std::size_t{64} << 20, 1};
   const auto ended = [&](const std::function<std::string()>& work) {
     try {
       return "gave " + runIsolated(small, work);

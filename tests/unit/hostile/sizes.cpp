@@ -84,11 +84,11 @@ std::string doublingFont(unsigned depth) {
   const std::string lines =
       high(0x10000, 4) + high(800, 2) + high(0xff38, 2) + std::string(26, '\0') + high(1, 2);
   const std::string wide = high(1000, 2) + std::string(2 * (count + 1), '\0');
-  const std::string most = high(0x10000, 4) + high(count, 2) + std::string(8, '\xff') + high(2, 2) +
-                           std::string(12, '\0') + std::string(4, '\xff');
+  const std::string maximum = high(0x10000, 4) + high(count, 2) + std::string(8, '\xff') + high(2, 2) +
+                              std::string(12, '\0') + std::string(4, '\xff');
   const std::pair<const char*, const std::string*> tables[] = {
-      {"cmap", &map},  {"glyf", &glyphs}, {"head", &head}, {"hhea", &lines},
-      {"hmtx", &wide}, {"loca", &places}, {"maxp", &most}};
+      {"cmap", &map},  {"glyf", &glyphs}, {"head", &head},   {"hhea", &lines},
+      {"hmtx", &wide}, {"loca", &places}, {"maxp", &maximum}};
   std::string font = high(0x10000, 4) + high(7, 2) + high(64, 2) + high(2, 2) + high(48, 2), rest;
   for (const auto& [name, table] : tables) {
     font += name + high(0, 4) + high(static_cast<std::uint32_t>(124 + rest.size()), 4) +
@@ -151,9 +151,9 @@ TEST_CASE("checking water of 67 million cells allocates no memory per cell and r
   };
   const scene::Scene large = pond("[8192, 8192]");
   CHECK(refusal([&] { CHECK(sim::findProblems(large).empty()); }) == "nothing was refused");
-  const std::vector<std::string> told = sim::tooLargeForMany(large);
-  REQUIRE(told.size() == 1);
-  checkHas(told[0],
+  const std::vector<std::string> warnings = sim::tooLargeForMany(large);
+  REQUIRE(warnings.size() == 1);
+  checkHas(warnings[0],
            "water \"pond\" needs 1073741824 bytes in one buffer, and software drivers allow 134217728");
   CHECK(sim::tooLargeForMany(pond("[64, 64]")).empty());
 }

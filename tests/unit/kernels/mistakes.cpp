@@ -138,7 +138,7 @@ TEST_CASE("a function that returns something or lacks semantics is no kernel") {
   REQUIRE(shader.kernels.size() == 1);
   CHECK(shader.kernels[0].name == "K");
   checkHas(report("w.compute", "#pragma kernel Above\n" + helper),
-           "\"Above\" is no kernel: a kernel returns void");
+           "\"Above\" is not a kernel; a kernel must return void");
 }
 
 TEST_CASE("a kernel without a function, and a file without kernels, are told") {
@@ -155,7 +155,7 @@ TEST_CASE(
   std::ofstream(folder / "shader" / "near.cginc") << "float twice(float x) {\n  return x * tow;\n}\n";
   std::ofstream(folder / "far.cginc") << "#define FAR 1\n";
   std::ofstream(folder / "shader" / "loop.cginc") << "#include \"loop.cginc\"\n";
-  const auto told = [&](const std::string& include, std::vector<std::filesystem::path> folders = {}) {
+  const auto messageFor = [&](const std::string& include, std::vector<std::filesystem::path> folders = {}) {
     std::ofstream(folder / "shader" / "k.compute") << "#pragma kernel K\n"
                                                    << include << "\n"
                                                    << head << "void K() { _Out[0] = 1; }\n";
@@ -169,24 +169,24 @@ TEST_CASE(
     }
     return std::string("fine");
   };
-  checkHas(told("#include \"near.cginc\""), "near.cginc:2:14: error: \"tow\" is not declared");
-  checkHas(told("#include \"../far.cginc\""),
+  checkHas(messageFor("#include \"near.cginc\""), "near.cginc:2:14: error: \"tow\" is not declared");
+  checkHas(messageFor("#include \"../far.cginc\""),
            "k.compute:2:11: error: \"../far.cginc\" lies outside the folders");
-  CHECK(told("#include \"../far.cginc\"", {folder}) == "fine");
-  checkHas(told("#include \"gone.cginc\""), "\"gone.cginc\" is not in the shader's folder");
-  checkHas(told("#include \"/etc/passwd\""), "is not in the shader's folder");
-  checkHas(told("#include \"loop.cginc\""), "deep");
-  CHECK(told("#include \"UnityCG.cginc\"") == "fine");
-  checkHas(told("#include \"UnityDeferredLibrary.cginc\""),
+  CHECK(messageFor("#include \"../far.cginc\"", {folder}) == "fine");
+  checkHas(messageFor("#include \"gone.cginc\""), "\"gone.cginc\" is not in the shader's folder");
+  checkHas(messageFor("#include \"/etc/passwd\""), "is not in the shader's folder");
+  checkHas(messageFor("#include \"loop.cginc\""), "deep");
+  CHECK(messageFor("#include \"UnityCG.cginc\"") == "fine");
+  checkHas(messageFor("#include \"UnityDeferredLibrary.cginc\""),
            "is a file of Unity that simreel does not include");
   std::filesystem::create_directories(folder / "shader" / "Util");
   std::ofstream(folder / "shader" / "Util" / "Deep.hlsl") << "#define DEEP 1\n";
-  CHECK(told("#include \"Util\\Deep.hlsl\"") == "fine");
-  CHECK(told("#include \"util/deep.HLSL\"") == "fine");
+  CHECK(messageFor("#include \"Util\\Deep.hlsl\"") == "fine");
+  CHECK(messageFor("#include \"util/deep.HLSL\"") == "fine");
   std::ofstream(folder / "shader" / "Util" / "deep.hlsl") << "#define DEEP 1\n";
-  checkHas(told("#include \"util/deep.HLSL\""), "is not in the shader's folder");
+  checkHas(messageFor("#include \"util/deep.HLSL\""), "is not in the shader's folder");
   std::ofstream(folder / "shader" / "both.cginc") << "#include \"near.cginc\"\n#include \"../far.cginc\"\n";
-  CHECK(!has(told("#include \"both.cginc\"", {folder}), "preceded by another token"));
+  CHECK(!has(messageFor("#include \"both.cginc\"", {folder}), "preceded by another token"));
   std::filesystem::remove_all(folder);
 }
 

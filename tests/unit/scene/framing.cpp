@@ -35,15 +35,15 @@ scene::Scene with(std::initializer_list<scene::Box> boxes, glm::ivec2 size) {
 /// 100 if a corner is behind the camera or outside the near and far distance.
 float reach(const scene::Scene& scene, const scene::Box& box) {
   const draw::View view = draw::viewAt(scene.camera, 0, scene.render.size, {});
-  float most = 0;
+  float maximum = 0;
   for (int i = 0; i < 8; ++i) {
     const glm::vec4 corner((i & 1) == 0 ? box.min.x : box.max.x, (i & 2) == 0 ? box.min.y : box.max.y,
                            (i & 4) == 0 ? box.min.z : box.max.z, 1);
     const glm::vec4 seen = view.viewProjection * corner;
     if (seen.w <= 0 || std::abs(seen.z) > seen.w) return 100;
-    most = std::max({most, std::abs(seen.x / seen.w), std::abs(seen.y / seen.w)});
+    maximum = std::max({maximum, std::abs(seen.x / seen.w), std::abs(seen.y / seen.w)});
   }
-  return most;
+  return maximum;
 }
 
 }  // namespace
@@ -55,9 +55,9 @@ TEST_CASE("an automatic camera frames a whole solid tightly") {
            {glm::vec3(5, 0.3F, 3), glm::vec3(1, 1, 6), glm::vec3(0.2F, 4, 0.2F)}) {
         const glm::vec3 middle(3, -2, 1);
         const scene::Box box{scale * (middle - 0.5F * extent), scale * (middle + 0.5F * extent)};
-        const float most = reach(with({box}, size), box);
-        CHECK(most < 0.93F);
-        CHECK(most > 0.9F);
+        const float maximum = reach(with({box}, size), box);
+        CHECK(maximum < 0.93F);
+        CHECK(maximum > 0.9F);
       }
 }
 
@@ -100,14 +100,14 @@ TEST_CASE("an orbiting camera keeps all objects in view, tightly at some angle")
       scene::Object& object = scene.objects.emplace_back();
       object.parameters = std::make_unique<Boxed>(box);
       scene::frameObjects(scene, {{box}});
-      float most = 0;
+      float maximum = 0;
       for (int turn = 0; turn < 360; turn += 5) {
         scene.camera.orbit->turn = static_cast<float>(turn);
         const float reached = reach(scene, box);
         CHECK(reached <
               (round ? 1.75F : 0.93F));  // The corners of a box around a sphere are outside the sphere.
-        most = std::max(most, reached);
+        maximum = std::max(maximum, reached);
       }
-      CHECK(most > 0.85F);
+      CHECK(maximum > 0.85F);
     }
 }

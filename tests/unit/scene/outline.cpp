@@ -24,9 +24,9 @@ std::vector<glm::vec3> evenBall(int count) {
 }
 
 float farthest(const std::vector<glm::vec3>& points, const glm::vec3& way) {
-  float most = -1e9F;
-  for (const glm::vec3& point : points) most = std::max(most, glm::dot(point, way));
-  return most;
+  float maximum = -1e9F;
+  for (const glm::vec3& point : points) maximum = std::max(maximum, glm::dot(point, way));
+  return maximum;
 }
 
 }  // namespace

@@ -28,11 +28,11 @@ TEST_CASE("serve: a painted fluid keeps its default jets") {
   nlohmann::json given = nlohmann::json::parse(R"({"size": [64, 40]})");
   const simreel::scene::Scene left = brushedScene("fluid", given);
   given["strokes"] = simreel::serve::strokesOf(left.objects.front(), given);
-  const simreel::scene::Scene told = brushedScene("fluid", given);
+  const simreel::scene::Scene brushed = brushedScene("fluid", given);
   const auto& jets =
       simreel::sim::parametersOf<simreel::sim::FluidParameters>(left.objects.front()).strokes;
   const auto& same =
-      simreel::sim::parametersOf<simreel::sim::FluidParameters>(told.objects.front()).strokes;
+      simreel::sim::parametersOf<simreel::sim::FluidParameters>(brushed.objects.front()).strokes;
   REQUIRE_EQ(jets.size(), 10);
   REQUIRE_EQ(same.size(), jets.size());
   for (std::size_t i = 0; i < jets.size(); ++i) {

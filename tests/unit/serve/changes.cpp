@@ -6,8 +6,8 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-using simreel::serve::secondsAlike;
-using simreel::serve::withoutWhatShows;
+using simreel::serve::equalUntil;
+using simreel::serve::withoutAppearance;
 
 namespace {
 
@@ -28,7 +28,7 @@ Json dish() {
 double alikeWith(const std::string& pointer, const Json& value) {
   Json other = dish();
   other[Json::json_pointer(pointer)] = value;
-  return secondsAlike(dish().dump(), other.dump());
+  return equalUntil(dish().dump(), other.dump());
 }
 
 const std::string field = "/objects/dish/grayScott";
@@ -36,13 +36,13 @@ const std::string field = "/objects/dish/grayScott";
 }  // namespace
 
 TEST_CASE("changes of drawing parameters keep all simulated states") {
-  CHECK(secondsAlike(dish().dump(), dish().dump()) == all);
+  CHECK(equalUntil(dish().dump(), dish().dump()) == all);
   CHECK(alikeWith("/sun/intensity", 4) == all);
   CHECK(alikeWith("/ground/color", {0, 0, 0}) == all);
   CHECK(alikeWith("/objects/ball/material/ior", 1.5) == all);
   CHECK(alikeWith("/objects/ball/sphere/visible", false) == all);
   CHECK(alikeWith(field + "/display/opacity", 1) == all);
-  CHECK(withoutWhatShows(dish().dump()).find("opacity") == std::string::npos);
+  CHECK(withoutAppearance(dish().dump()).find("opacity") == std::string::npos);
 }
 
 TEST_CASE("changes of strokes keep the states before the first changed stroke") {
@@ -55,19 +55,19 @@ TEST_CASE("changes of strokes keep the states before the first changed stroke") 
   less[Json::json_pointer(field + "/strokes")].erase(1);  // The last stroke counts as changed, because
                                                           // strokes are compared by their index in the
                                                           // list.
-  CHECK(secondsAlike(dish().dump(), less.dump()) == 1.5);
+  CHECK(equalUntil(dish().dump(), less.dump()) == 1.5);
   less[Json::json_pointer(field)].erase("strokes");
-  CHECK(secondsAlike(dish().dump(), less.dump()) == 0);
+  CHECK(equalUntil(dish().dump(), less.dump()) == 0);
   // Without strokes, the fluid is stirred at the start.
   const std::string still = R"({"objects": {"pool": {"fluid": {}}}})";
   const std::string one = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}]}}}})";
   const std::string two = R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2}]}}}})";
-  CHECK(secondsAlike(still, one) < 0);
-  CHECK(secondsAlike(one, two) == 2);
+  CHECK(equalUntil(still, one) < 0);
+  CHECK(equalUntil(one, two) == 2);
   const std::string dyed =
       R"({"objects": {"pool": {"fluid": {"strokes": [{"at": 1}, {"at": 2, "dye": [1, 0, 0]}]}}}})";
-  CHECK(secondsAlike(two, dyed) < 0);  // The two scenes have no time in common, because the earlier states
-                                       // have no dye.
+  CHECK(equalUntil(two, dyed) < 0);  // The two scenes have no time in common, because the earlier states
+                                     // have no dye.
 }
 
 TEST_CASE("changes of keyframes keep the states before the first changed key") {
@@ -80,8 +80,8 @@ TEST_CASE("changes of keyframes keep the states before the first changed key") {
   Json spline = dish(), other = dish();
   for (Json* one : {&spline, &other}) (*one)[Json::json_pointer(field + "/feed/ease")] = "spline";
   other[Json::json_pointer(keys + "3/1")] = 5;
-  CHECK(secondsAlike(spline.dump(), other.dump()) == 1);  // The speed at a key depends on both neighbouring
-                                                          // keys.
+  CHECK(equalUntil(spline.dump(), other.dump()) == 1);  // The speed at a key depends on both neighbouring
+                                                        // keys.
   CHECK(alikeWith("/objects/ball/sphere/position/keys/1/1/0", 2) == 0);
 }
 

@@ -20,7 +20,7 @@ WorldState stateOfFrame(int frame) {
 }
 
 /// Stores those states that KeptStates requests, frame by frame, as the stage does.
-void passTo(KeptStates& kept, int last) {
+void advanceUndrawn(KeptStates& kept, int last) {
   for (int frame = 0; frame <= last; ++frame)
     if (kept.wants(frame)) kept.keep(stateOfFrame(frame));
 }
@@ -34,7 +34,7 @@ int before(const KeptStates& kept, int frame) {
 
 TEST_CASE("serve: all states are kept while memory suffices") {
   KeptStates kept(5 * each);
-  passTo(kept, 4);
+  advanceUndrawn(kept, 4);
   CHECK_EQ(kept.frames(), std::vector{0, 1, 2, 3, 4});
   CHECK_EQ(kept.interval(), 1);
   CHECK_EQ(kept.bytes(), 5 * each);
@@ -45,19 +45,19 @@ TEST_CASE("serve: all states are kept while memory suffices") {
 
 TEST_CASE("serve: without room, the spacing of kept states doubles") {
   KeptStates kept(5 * each);
-  passTo(kept, 5);
+  advanceUndrawn(kept, 5);
   CHECK_EQ(kept.frames(), std::vector{0, 2, 4});
   CHECK_EQ(kept.interval(), 2);
   CHECK_EQ(kept.bytes(), 3 * each);
   CHECK_FALSE(kept.wants(7));
-  passTo(kept, 100);
+  advanceUndrawn(kept, 100);
   CHECK_EQ(kept.frames(), std::vector{0, 32, 64, 96});
   CHECK_LE(kept.bytes(), 5 * each);
 }
 
 TEST_CASE("serve: the first state is kept even with little room") {
   KeptStates kept(1);
-  passTo(kept, 9);
+  advanceUndrawn(kept, 9);
   CHECK_EQ(kept.frames(), std::vector{0});
   CHECK_EQ(before(kept, 9), 0);
 }
@@ -65,7 +65,7 @@ TEST_CASE("serve: the first state is kept even with little room") {
 TEST_CASE("serve: the nearest kept state at or before a frame is found") {
   KeptStates kept(5 * each);
   CHECK_EQ(before(kept, 3), -1);
-  passTo(kept, 5);
+  advanceUndrawn(kept, 5);
   CHECK_EQ(before(kept, 0), 0);
   CHECK_EQ(before(kept, 1), 0);
   CHECK_EQ(before(kept, 2), 2);
@@ -77,14 +77,14 @@ TEST_CASE("serve: the nearest kept state at or before a frame is found") {
 
 TEST_CASE("serve: states are discarded from a given frame on, or all") {
   KeptStates kept(5 * each);
-  passTo(kept, 4);
+  advanceUndrawn(kept, 4);
   kept.keep(stateOfFrame(4));  // The second call stores the same state again.
   CHECK_EQ(kept.bytes(), 5 * each);
   kept.forgetFrom(3);
   CHECK_EQ(kept.frames(), std::vector{0, 1, 2});
   CHECK_EQ(kept.bytes(), 3 * each);
   CHECK(kept.wants(3));
-  passTo(kept, 9);
+  advanceUndrawn(kept, 9);
   kept.clear();
   CHECK(kept.frames().empty());
   CHECK_EQ(kept.bytes(), 0);

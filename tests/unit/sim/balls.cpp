@@ -109,13 +109,13 @@ ParticlesTwin heap(int count, int wide, float friction, float half, int frames) 
 
 /// Returns the deepest overlap of two balls, as a fraction of the radius.
 double deepest(const ParticlesTwin& twin) {
-  double most = 0;
+  double maximum = 0;
   for (std::size_t i = 0; i < twin.positions.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const glm::dvec3 apart = glm::dvec3(twin.positions[i]) - glm::dvec3(twin.positions[j]);
-      most = std::max(most, (0.1 - glm::length(apart)) / 0.05);
+      const glm::dvec3 separation = glm::dvec3(twin.positions[i]) - glm::dvec3(twin.positions[j]);
+      maximum = std::max(maximum, (0.1 - glm::length(separation)) / 0.05);
     }
-  return most;
+  return maximum;
 }
 
 scene::Scene parsedScene(const std::string& object) {

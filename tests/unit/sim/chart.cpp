@@ -16,7 +16,7 @@ using simreel::test::checkHas;
 
 TEST_CASE("chart: axis scales are round, contain their values and are as narrow as possible") {
   struct Known {
-    double least, most, low, high;
+    double minimum, maximum, low, high;
   };
   for (const Known& known : {Known{0, 1, 0, 1},
                              {0.1, 1.9, 0, 2},
@@ -25,20 +25,20 @@ TEST_CASE("chart: axis scales are round, contain their values and are as narrow 
                              {1234, 1260, 1230, 1260},
                              {5, 5, 2, 8},
                              {0, 0, 0, 1}}) {
-    CAPTURE(known.least);
-    CAPTURE(known.most);
-    const sim::ChartRange range = sim::roundRange(known.least, known.most);
+    CAPTURE(known.minimum);
+    CAPTURE(known.maximum);
+    const sim::ChartRange range = sim::roundRange(known.minimum, known.maximum);
     CHECK(range.low == doctest::Approx(known.low));
     CHECK(range.high == doctest::Approx(known.high));
   }
-  double least = 1e-9, most = 1.3e-9;
+  double minimum = 1e-9, maximum = 1.3e-9;
   for (int i = 0; i < 200; ++i) {
-    const sim::ChartRange range = sim::roundRange(-least, most);
-    CHECK(range.low <= -least * (1 - 1e-12));
-    CHECK(range.high >= most * (1 - 1e-12));
-    CHECK(range.high - range.low < 3 * (least + most));
-    least *= 1.37;
-    most *= 1.21;
+    const sim::ChartRange range = sim::roundRange(-minimum, maximum);
+    CHECK(range.low <= -minimum * (1 - 1e-12));
+    CHECK(range.high >= maximum * (1 - 1e-12));
+    CHECK(range.high - range.low < 3 * (minimum + maximum));
+    minimum *= 1.37;
+    maximum *= 1.21;
   }
 }
 

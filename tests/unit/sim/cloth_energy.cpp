@@ -67,7 +67,7 @@ double missedGradient(Twin twin, const std::function<double(const std::vector<gl
   const std::vector<glm::vec4> start = twin.positions;
   const auto steps = twin.plan().frame(0);
   twin.substep(steps[0]);
-  double most = 0;
+  double maximum = 0;
   double missed = 0;
   for (std::size_t i = 0; i < start.size(); ++i)
     for (int axis = 0; axis < 3; ++axis) {
@@ -81,11 +81,11 @@ double missedGradient(Twin twin, const std::function<double(const std::vector<gl
       const double force = -(elastic(there) - elastic(back)) / way;
       const double found =
           static_cast<double>(twin.velocities[i][axis]) / static_cast<double>(start[i].w) / steps[0].dt;
-      most = std::max(most, std::abs(force));
+      maximum = std::max(maximum, std::abs(force));
       missed = std::max(missed, std::abs(force - found));
     }
-  CHECK(most > 0.001);
-  return missed / most;
+  CHECK(maximum > 0.001);
+  return missed / maximum;
 }
 
 /// Returns the parameters of a crumpled sheet without gravity.

@@ -141,8 +141,8 @@ TEST_CASE("fabric: a clamped strip bends by q L^4 / 8 D at any spacing") {
     drops.push_back(-static_cast<double>(twin.positions[static_cast<std::size_t>(cells)].y));
     CHECK(drops.back() == doctest::Approx(expected).epsilon(0.03).scale(0));
   }
-  const auto [least, most] = std::minmax_element(drops.begin(), drops.end());
-  CHECK(*most < 1.02 * *least);
+  const auto [minimum, maximum] = std::minmax_element(drops.begin(), drops.end());
+  CHECK(*maximum < 1.02 * *minimum);
 }
 
 TEST_CASE(
@@ -191,8 +191,8 @@ TEST_CASE("fabric: mass is density times area") {
   for (const glm::vec4& particle : sim::ClothPlan(p, 1, 0.01, {}).firstPositions())
     sum += 1 / static_cast<double>(particle.w);
   CHECK(sum == doctest::Approx(0.5 * 2 * 1).epsilon(1e-6));
-  CHECK(p.massAt({0, 0}) == p.massAt({4, 2}) / 4);
-  CHECK(p.massAt({8, 2}) == p.massAt({4, 2}) / 2);
+  CHECK(p.particleMass({0, 0}) == p.particleMass({4, 2}) / 4);
+  CHECK(p.particleMass({8, 2}) == p.particleMass({4, 2}) / 2);
 }
 
 TEST_CASE("fabric: a hanging fabric stretches by rho g H / 2 k, at borders as inside") {

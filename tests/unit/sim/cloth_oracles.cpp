@@ -224,14 +224,14 @@ namespace {
 /// v1.
 template <class Twin>
 double missesFall(Twin twin, double terminal) {
-  double most = 0;
+  double maximum = 0;
   for (int frame = 0; frame < 90; ++frame) {
     twin.step(frame * oracleFrame);
     const double expected = terminal * std::tanh(9.8 * (frame + 1) * oracleFrame / terminal);
     for (const glm::vec4& v : twin.velocities)
-      most = std::max(most, std::abs(-static_cast<double>(v.y) - expected) / terminal);
+      maximum = std::max(maximum, std::abs(-static_cast<double>(v.y) - expected) / terminal);
   }
-  return most;
+  return maximum;
 }
 
 }  // namespace

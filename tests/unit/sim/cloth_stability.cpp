@@ -90,7 +90,7 @@ double speedAfter(sim::ClothParameters p, double dt) {
 }
 
 /// True if semi-implicit Euler for x'' = -w^2 x - c x' stays bounded.
-bool stays(double w2, double c, double dt) {
+bool staysBounded(double w2, double c, double dt) {
   double x = 1;
   double v = 1;
   for (int i = 0; i < 20000; ++i) {
@@ -155,8 +155,8 @@ TEST_CASE("springs and drag together are stable up to the declared limit only") 
       const double c = 1.2 * (1.0 + 0.6) * 0.1 * 0.1 * speed / p.mass;
       CAPTURE(stiffness);
       CAPTURE(speed);
-      CHECK(stays(w2, c, p.stableSeconds() * 0.999));
-      CHECK_FALSE(stays(w2, c, p.stableSeconds() * 1.01));
+      CHECK(staysBounded(w2, c, p.stableSeconds() * 0.999));
+      CHECK_FALSE(staysBounded(w2, c, p.stableSeconds() * 1.01));
     }
 }
 
@@ -248,10 +248,10 @@ TEST_CASE("a damped sheet hanging by two corners comes to rest with speed 0") {
   p.substeps.reset();
   p.pins = {sim::PinGroup()};
   p.pins[0].rows = {0};
-  CHECK(p.mostOnOnePin() == 24);
+  CHECK(p.maxOnOnePin() == 24);
   p.pins[0].rows.clear();
   p.pins[0].corners = {0, 1};
-  CHECK(p.mostOnOnePin() == 288);
+  CHECK(p.maxOnOnePin() == 288);
   const double frame = 1.0 / 60;
   CHECK(p.substepsPerFrame(frame) == 17);
   p.substeps = 9;
@@ -263,10 +263,10 @@ TEST_CASE("a damped sheet hanging by two corners comes to rest with speed 0") {
     before = twin.positions;
     twin.step(i * frame);
   }
-  float most = 0;
+  float maximum = 0;
   for (std::size_t i = 0; i < before.size(); ++i)
-    most = std::max(most, glm::distance(glm::vec3(before[i]), glm::vec3(twin.positions[i])));
-  CHECK(most < 5e-5F);
+    maximum = std::max(maximum, glm::distance(glm::vec3(before[i]), glm::vec3(twin.positions[i])));
+  CHECK(maximum < 5e-5F);
   const auto quantity = [&](const std::vector<glm::vec4>& velocities, const char* name) {
     return named(p, sim::measureCloth(p, twin.positions, velocities, 0), name);
   };

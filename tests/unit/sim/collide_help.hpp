@@ -67,9 +67,9 @@ class BruteForce {
                         glm::dvec3(mesh.positions[mesh.indices[i + 2]]) * scale});
   }
   [[nodiscard]] double distance(const glm::dvec3& p) const {
-    double least = 1e30;
-    for (const auto& f : faces_) least = std::min(least, toFace(p, f));
-    return least;
+    double minimum = 1e30;
+    for (const auto& f : faces_) minimum = std::min(minimum, toFace(p, f));
+    return minimum;
   }
   [[nodiscard]] double winding(const glm::dvec3& p) const {
     double sum = 0;
@@ -94,13 +94,14 @@ class BruteForce {
     return glm::length(p - a - t * (b - a));
   }
   static double toFace(const glm::dvec3& p, const Triangle& f) {
-    double least = std::min({toSegment(p, f[0], f[1]), toSegment(p, f[1], f[2]), toSegment(p, f[2], f[0])});
+    double minimum =
+        std::min({toSegment(p, f[0], f[1]), toSegment(p, f[1], f[2]), toSegment(p, f[2], f[0])});
     const glm::dvec3 n = glm::cross(f[1] - f[0], f[2] - f[0]);
-    if (glm::dot(n, n) == 0) return least;
+    if (glm::dot(n, n) == 0) return minimum;
     bool above = true;
     for (std::size_t k = 0; k < 3; ++k)
       above = above && glm::dot(glm::cross(f[(k + 1) % 3] - f[k], p - f[k]), n) >= 0;
-    return above ? std::abs(glm::dot(p - f[0], n)) / glm::length(n) : least;
+    return above ? std::abs(glm::dot(p - f[0], n)) / glm::length(n) : minimum;
   }
   std::vector<Triangle> faces_;
 };

@@ -157,17 +157,17 @@ TEST_CASE("collide: cloth of any material does not sink into a mesh torus") {
   const auto scene = test::parsedScene(test::meshObject(torusUnderCloth));
   const auto settle = [&](auto twin, double margin) {
     twin.meshes.emplace(sim::MeshColliderPlan(scene, margin));
-    double least = 1e9;
+    double minimum = 1e9;
     int touching = 0;
     for (int frame = 0; frame < 60; ++frame) {
       twin.step(frame * meshFrame);
       touching = 0;
       for (const glm::vec4& p : twin.positions) {
-        least = std::min(least, overTorus(p));
+        minimum = std::min(minimum, overTorus(p));
         touching += overTorus(p) < margin + 2e-3 ? 1 : 0;
       }
     }
-    CHECK(least > margin - 1.5e-3);
+    CHECK(minimum > margin - 1.5e-3);
     CHECK(touching > 30);
   };
   sim::ClothParameters p;

@@ -44,16 +44,16 @@ double pointToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec
 
 double segmentToSegment(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                         const glm::dvec3& d) {
-  double least = std::min(
+  double minimum = std::min(
       {pointToSegment(a, c, d), pointToSegment(b, c, d), pointToSegment(c, a, b), pointToSegment(d, a, b)});
   const glm::dvec3 n = glm::cross(b - a, d - c);
   const double nn = glm::dot(n, n);
-  if (nn < 1e-18) return least;
+  if (nn < 1e-18) return minimum;
   const double s = glm::dot(glm::cross(c - a, d - c), n) / nn,
                t = glm::dot(glm::cross(c - a, b - a), n) / nn;
   if (s > 0 && s < 1 && t > 0 && t < 1)
-    least = std::min(least, std::abs(glm::dot(c - a, n)) / std::sqrt(nn));
-  return least;
+    minimum = std::min(minimum, std::abs(glm::dot(c - a, n)) / std::sqrt(nn));
+  return minimum;
 }
 
 }  // namespace

@@ -86,13 +86,14 @@ TEST_CASE("Gerstner waves on deep water: w^2 = g k holds, and crests are as high
   const double period = 2 * 3.14159265358979 / std::sqrt(9.81 * 2 * 3.14159265358979 / 2.5);
   const Deformed later(p, period);
   double highest = 0;
-  double apart = 0;
+  double pixelDifference = 0;
   for (std::size_t i = 0; i < start.mesh.positions.size(); ++i) {
     highest = std::max(highest, double{start.cpu.positions()[i].y});
-    apart = std::max(apart, double{glm::length(start.cpu.positions()[i] - later.cpu.positions()[i])});
+    pixelDifference =
+        std::max(pixelDifference, double{glm::length(start.cpu.positions()[i] - later.cpu.positions()[i])});
   }
   CHECK(highest == doctest::Approx(0.1).epsilon(0.001));
-  CHECK(apart < 1e-5);
+  CHECK(pixelDifference < 1e-5);
 }
 
 TEST_CASE("sway fixes the roots, bends the tips and nearly keeps the length") {

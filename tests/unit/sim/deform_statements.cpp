@@ -41,8 +41,8 @@ shader::DeformStep stepOf(const std::vector<int>& kinds) {
 }
 
 /// Returns the maximum distance between the twin's displaced points and `expected`.
-double apart(const shader::DeformStep& step, const std::function<dvec3(dvec3 rest)>& expected,
-             const std::vector<glm::vec4>& trail = {}) {
+double maxDistance(const shader::DeformStep& step, const std::function<dvec3(dvec3 rest)>& expected,
+                   const std::vector<glm::vec4>& trail = {}) {
   const sim::Mesh mesh = cloud();
   const sim::RestMesh rest("cloud", mesh);
   sim::DeformCpu cpu(rest, step.trail.cells);
@@ -85,7 +85,7 @@ TEST_CASE("deform: a ripple decays with the radius as e^(-decay r), and does not
   for (const float decay : {0.0F, 0.8F}) {
     shader::DeformStep step = stepOf({shader::rippleKind});
     step.displacements[0].ripple = {{0.3F, 0.2F, -0.4F, 0}, 0.3F, decay, 5.0F, 2.2F};
-    CHECK(apart(step, [&](dvec3 p) {
+    CHECK(maxDistance(step, [&](dvec3 p) {
             p.y += rippleAt(p, {0.3, 0.2, -0.4}, 0.3, decay, 5, 2.2);
             return p;
           }) < 3e-6);
@@ -98,7 +98,7 @@ TEST_CASE("deform: each displacement is computed from the rest shape, and displa
   step.displacements[0].wave = {heading, 0.12F, 0.09F, 3.0F, 0.7F};
   step.displacements[1].ripple = {glm::vec4(0), 0.2F, 0.5F, 4.0F, 1.0F};
   step.displacements[2].wave = {{1, 0}, 0.05F, 0.04F, 7.0F, 2.0F};
-  CHECK(apart(step, [&](dvec3 p) {
+  CHECK(maxDistance(step, [&](dvec3 p) {
           const double first = 3 * (heading.x * p.x + heading.y * p.z) - 0.7, second = 7 * p.x - 2;
           dvec3 moved = p + dvec3(heading.x * 0.09 * std::cos(first), 0.12 * std::sin(first),
                                   heading.y * 0.09 * std::cos(first));
@@ -113,7 +113,7 @@ TEST_CASE("deform: sway grows with height squared and lowers the tip; parts belo
   const dvec2 heading(0.8, 0.6);
   step.displacements[0].sway = {heading, 0.3F, -0.2F, 1 / 1.5F, 0.4F, 0.6F, 2.0F, {0.3F, 1.1F, 2.9F, 0}};
   int still = 0;
-  CHECK(apart(step, [&](dvec3 p) {
+  CHECK(maxDistance(step, [&](dvec3 p) {
           const double h = (p.y + 0.2) / 1.5;
           still += h <= 0 ? 1 : 0;
           if (h <= 0) return p;
@@ -127,7 +127,7 @@ TEST_CASE("deform: sway grows with height squared and lowers the tip; parts belo
         }) < 3e-5);
   CHECK(still > 100);
   step.displacements[0].sway.base = 20;
-  CHECK(apart(step, [](dvec3 p) { return p; }) == 0);
+  CHECK(maxDistance(step, [](dvec3 p) { return p; }) == 0);
 }
 
 TEST_CASE(
@@ -143,7 +143,7 @@ TEST_CASE(
     step.pressers[0] = presserOf({-0.8F, 0, 0}, {0.8F, 0, 0}, 0.5F);
     step.pressers[1] = presserOf({0, 1, 1}, {0, 1, 1}, 0.6F);
     int moved = 0;
-    CHECK(apart(step, [&](dvec3 rest) {
+    CHECK(maxDistance(step, [&](dvec3 rest) {
             const double weight =
                 perHeight > 0 ? std::clamp((rest.y + 0.5) * double{perHeight}, 0.0, 1.0) : 1.0;
             dvec3 p = rest;
@@ -175,7 +175,7 @@ TEST_CASE(
     trail.emplace_back(0.1F + 0.1F * std::sin(1.3F * static_cast<float>(i)),
                        0.2F + 0.2F * std::sin(2.9F * static_cast<float>(i)), 0, 0);
   int raised = 0;
-  CHECK(apart(
+  CHECK(maxDistance(
             step,
             [&](dvec3 p) {
               const double x = std::clamp((p.x + 1.5) / 0.5, 0.0, 6.0),

@@ -73,22 +73,22 @@ TEST_CASE("flow lines are weighted means of the noise along the flow, in double 
   const std::vector<float> lines = twin.lines(time);
   constexpr int side = lineCells * lineFine;
   REQUIRE(lines.size() == side * side);
-  int apart = 0, looked = 0;
-  double least = 1, most = 0;
+  int pixelDifference = 0, looked = 0;
+  double minimum = 1, maximum = 0;
   for (int y = 12; y < side - 12; ++y)
     for (int x = 12; x < side - 12; ++x) {
       const glm::dvec2 at((x + 0.5) / lineFine, (y + 0.5) / lineFine);
       const double found = static_cast<double>(lines[static_cast<std::size_t>(y * side + x)]);
       // Occasionally, rounding moves a point of a line into the adjacent noise cell, so that one of 53
       // samples differs.
-      apart += std::abs(found - lineOf(at, phase, turning)) > 1e-3 ? 1 : 0;
+      pixelDifference += std::abs(found - lineOf(at, phase, turning)) > 1e-3 ? 1 : 0;
       ++looked;
-      least = std::min(least, found);
-      most = std::max(most, found);
+      minimum = std::min(minimum, found);
+      maximum = std::max(maximum, found);
     }
-  CHECK(apart < 0.01 * looked);
-  CHECK(least < 0.1);
-  CHECK(most > 0.9);
+  CHECK(pixelDifference < 0.01 * looked);
+  CHECK(minimum < 0.1);
+  CHECK(maximum > 0.9);
 }
 
 TEST_CASE("lines of a uniform flow are correlated along it and not across it") {

@@ -152,13 +152,13 @@ TEST_CASE("fluid: the sum of dye stays constant, and no cell leaves the initial 
   for (int i = 0; i < 10000; ++i) twin.moveDye();
   const glm::dvec4 after = sums();
   for (int c = 0; c < 3; ++c) CHECK(after[c] == before[c]);
-  float least = 0, most = 0, moved = 0;
+  float minimum = 0, maximum = 0, moved = 0;
   for (const glm::vec4& cell : twin.dye) {
-    least = std::min({least, cell.x, cell.y, cell.z});
-    most = std::max({most, cell.x, cell.y});
+    minimum = std::min({minimum, cell.x, cell.y, cell.z});
+    maximum = std::max({maximum, cell.x, cell.y});
   }
   for (int y = 0; y < p.size.y; ++y) moved += twin.dye[twin.index(33, y)].x;
-  CHECK(least >= 0);
-  CHECK(most <= 1.0F);
+  CHECK(minimum >= 0);
+  CHECK(maximum <= 1.0F);
   CHECK(moved > 0.5F);
 }

@@ -43,13 +43,13 @@ double dropOf(bool corner, int substeps, std::size_t& attachments) {
   GarmentTwin twin(sim::GarmentPlan("sheet", p, 1, 1.0 / 60, {}));
   attachments = twin.plan().arrays().attachments.size();
   for (int frame = 0; frame < 120; ++frame) twin.step(frame / 60.0);
-  double least = 9;
-  double most = -9;
+  double minimum = 9;
+  double maximum = -9;
   for (const glm::vec4& v : twin.positions) {
-    least = std::min(least, static_cast<double>(v.y));
-    most = std::max(most, static_cast<double>(v.y));
+    minimum = std::min(minimum, static_cast<double>(v.y));
+    maximum = std::max(maximum, static_cast<double>(v.y));
   }
-  return most - least;
+  return maximum - minimum;
 }
 
 }  // namespace
@@ -60,14 +60,14 @@ TEST_CASE("garment: distances to a pinned border and corner equal those on a pla
     const sim::ClothTriangles cloth("a", test::rectangle(kind, {40, 30}, 0.02), 1, 0);
     std::vector<bool> row(cloth.points.size(), false);
     std::vector<bool> corner = row;
-    double least = 1e9;
-    for (const glm::dvec3& p : cloth.points) least = std::min(least, p.x);
-    for (std::size_t i = 0; i < row.size(); ++i) row[i] = cloth.points[i].x < least + 1e-9;
+    double minimum = 1e9;
+    for (const glm::dvec3& p : cloth.points) minimum = std::min(minimum, p.x);
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = cloth.points[i].x < minimum + 1e-9;
     corner[0] = true;
-    const sim::WaysToPins toRow = sim::waysToPins(cloth, row);
-    const sim::WaysToPins toCorner = sim::waysToPins(cloth, corner);
+    const sim::PathsToPins toRow = sim::waysToPins(cloth, row);
+    const sim::PathsToPins toCorner = sim::waysToPins(cloth, corner);
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const double across = cloth.points[i].x - least;
+      const double across = cloth.points[i].x - minimum;
       CHECK(toRow.lengths[i] > across - 1e-9);
       CHECK(toRow.lengths[i] < across + 0.006);  // A point between two pins is attached to one of them.
       const double way = glm::distance(cloth.points[i], cloth.points[0]);

@@ -105,10 +105,10 @@ TEST_CASE("garment: faces of one colour share no vertex, and few colours are use
     const sim::ClothTriangles cloth("a", test::rectangle(kind, {37, 29}, 0.01), 1, 0);
     const std::vector<int> colours = sim::colourFaces(cloth);
     const int count = *std::max_element(colours.begin(), colours.end()) + 1;
-    unsigned most = 0;
+    unsigned maximum = 0;
     for (std::size_t i = 0; i < cloth.points.size(); ++i)
-      most = std::max(most, cloth.starts[i + 1] - cloth.starts[i]);
-    CHECK(count <= static_cast<int>(most) + 3);
+      maximum = std::max(maximum, cloth.starts[i + 1] - cloth.starts[i]);
+    CHECK(count <= static_cast<int>(maximum) + 3);
     std::vector<int> seen(cloth.points.size(), -1);
     for (int colour = 0; colour < count; ++colour)
       for (std::size_t f = 0; f < colours.size(); ++f)

@@ -131,11 +131,11 @@ TEST_CASE("garment: a seam closes two pieces in its time without moving their ce
     return sum;
   };
   const auto widest = [&] {
-    double most = 0;
+    double maximum = 0;
     for (const glm::uvec4& stitch : twin.plan().arrays().stitches)
-      most = std::max(most, static_cast<double>(glm::distance(glm::vec3(twin.positions[stitch.x]),
-                                                              glm::vec3(twin.positions[stitch.y]))));
-    return most;
+      maximum = std::max(maximum, static_cast<double>(glm::distance(glm::vec3(twin.positions[stitch.x]),
+                                                                    glm::vec3(twin.positions[stitch.y]))));
+    return maximum;
   };
   const glm::dvec3 before = centre();
   CHECK(widest() > 0.1);

@@ -65,7 +65,7 @@ TEST_CASE("garment: constant curvature exerts no force on inner vertices, and fl
       const sim::PlateMatrix matrix(sim::plateElements(cloth), 1, masses, 1e30);
       CHECK(matrix.softened == 0);
       const auto points = bentCloth(cloth, q);
-      double least = 1e30;
+      double minimum = 1e30;
       double tilted = 0;
       for (std::size_t i = 0; i < points.size(); ++i) {
         double size = 0;
@@ -79,12 +79,12 @@ TEST_CASE("garment: constant curvature exerts no force on inner vertices, and fl
         tilted = std::max(tilted, std::abs(tilt));
         const glm::dvec3 p = cloth.points[i];
         if (std::abs(p.x) < 0.5 * 0.32 - 0.09 && std::abs(p.z) < 0.5 * 0.26 * 0.86 - 0.07) {
-          least = std::min(least, size);
+          minimum = std::min(minimum, size);
           CHECK(std::abs(force) < 1e-7);
         }
       }
       CHECK(tilted < 1e-6);
-      CHECK(least > 1e-4);
+      CHECK(minimum > 1e-4);
     }
 }
 

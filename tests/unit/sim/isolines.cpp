@@ -98,7 +98,7 @@ TEST_CASE("samples of a magnified field follow a cubic between the middles of ce
     for (int x = 0; x < 12; ++x) values.push_back(static_cast<float>((x + 0.5) * (x + 0.5)));
   const IsoGrid grid = isoGrid(values, {12, 8}, {{0, 0, 120, 80}, {0, 0}, {0.1, 0.1}});
   CHECK(grid.size == glm::ivec2(61, 41));
-  CHECK(grid.apart.x == doctest::Approx(2));
+  CHECK(grid.spacing.x == doctest::Approx(2));
   for (int x = 15; x <= 45; ++x)  // The tested samples are away from the edges.
     CHECK(grid.values[static_cast<std::size_t>(20 * 61 + x)] == doctest::Approx(0.04 * x * x));
 }

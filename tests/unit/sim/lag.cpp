@@ -69,12 +69,12 @@ TEST_CASE("lag: a lost target is reacquired at rest, and a carried-over state co
   CHECK(!lag.place());
   for (const double x : {0.0, 1.0, 1.5}) lag.follow(glm::dvec3(x, 1, 0));
   Words words;
-  lag.carryOver(words);
+  lag.visitCheckpointData(words);
   CHECK(words.count == 10);
   words.back = true;
   words.count = 0;
   sim::Lag other(0.3, 0.1);
-  other.carryOver(words);
+  other.visitCheckpointData(words);
   for (const double x : {2.0, 0.0, 7.0}) {
     lag.follow(glm::dvec3(x, 1, 0));
     other.follow(glm::dvec3(x, 1, 0));

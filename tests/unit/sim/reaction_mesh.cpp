@@ -187,8 +187,8 @@ TEST_CASE("reaction on a sphere: cells have nearly equal area") {
   const OnMesh made(R"X("preset": "heat", "mesh": {"shape": "sphere", "resolution": [30, 20]})X", 0);
   const std::vector<double>& areas = made.plan.cells().areas;
   CHECK(areas.size() == 642);
-  const auto [least, most] = std::minmax_element(areas.begin(), areas.end());
-  CHECK(*most < 2.5 * *least);
+  const auto [minimum, maximum] = std::minmax_element(areas.begin(), areas.end());
+  CHECK(*maximum < 2.5 * *minimum);
   for (const glm::dvec3& place : made.plan.cells().places)
     CHECK(glm::length(place) == doctest::Approx(1).epsilon(1e-6));
 }
@@ -205,12 +205,12 @@ TEST_CASE("mesh cells: seams are merged, and Loop subdivision makes four faces o
         2);
   // A flat sheet and its border must stay flat.
   const sim::Mesh sheet = sim::refined(sim::planeMesh({4, 0, 2}, {5, 4}));
-  double most = 0;
+  double maximum = 0;
   for (const glm::vec3& place : sheet.positions) {
     CHECK(place.y == 0);
-    most = std::max(most, static_cast<double>(std::abs(place.z)));
+    maximum = std::max(maximum, static_cast<double>(std::abs(place.z)));
   }
-  CHECK(most == doctest::Approx(1));
+  CHECK(maximum == doctest::Approx(1));
   for (const glm::vec3& normal : sheet.normals) CHECK(normal.y == 1);
 }
 

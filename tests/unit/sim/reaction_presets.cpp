@@ -270,7 +270,7 @@ TEST_CASE("reaction: derivatives of a wave converge to the continuous operators 
       p.dt = 1;
       const std::vector<float> got = after(p, 1).stage[1];
       const double w = 2 * std::numbers::pi;
-      double most = 0;
+      double maximum = 0;
       for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
           const double px = w * (x + 0.5) / side, py = w * (y + 0.5) / side;
@@ -280,10 +280,10 @@ TEST_CASE("reaction: derivatives of a wave converge to the continuous operators 
                               : what == "ddy(u)"                  ? -w * std::sin(px) * std::sin(py)
                               : what == "laplacian(laplacian(u))" ? 4 * w * w * w * w * wave
                                                                   : -2 * w * w * wave;
-          most = std::max(
-              most, std::abs(static_cast<double>(got[static_cast<std::size_t>(y * side + x)]) - want));
+          maximum = std::max(
+              maximum, std::abs(static_cast<double>(got[static_cast<std::size_t>(y * side + x)]) - want));
         }
-      errors[fine] = most;
+      errors[fine] = maximum;
     }
     CHECK_MESSAGE(std::abs(std::log2(errors[0] / errors[1]) - 2) < 0.15, errors[0], " ", errors[1]);
   }

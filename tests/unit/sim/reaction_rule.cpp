@@ -193,7 +193,7 @@ TEST_CASE("reaction: a preset is what its page shows, and a scene can change par
     const auto p = read(fmt::format("\"preset\": \"{}\"", preset.name));
     CHECK(p.dt == preset.dt);
     CHECK(p.species.size() == preset.species.size());
-    const std::string text = sim::understandRule(p.ruleText()).text;
+    const std::string text = sim::compileRule(p.ruleText()).text;
     CHECK(sim::reactionPresetsText().find(text.substr(0, text.find('\n'))) != std::string::npos);
   }
   const auto p =

@@ -121,7 +121,7 @@ TEST_CASE("reaction in a volume: derivatives converge to the continuous operator
       p.dt = 1;
       const std::vector<float> got = volumeAfter(p, 1).stage[1];
       const double w = 2 * std::numbers::pi;
-      double most = 0;
+      double maximum = 0;
       for (std::size_t i = 0; i < got.size(); ++i) {
         const auto at = [&](std::size_t cell) { return w * (static_cast<double>(cell) + 0.5) / side; };
         const auto n = static_cast<std::size_t>(side);
@@ -131,9 +131,9 @@ TEST_CASE("reaction in a volume: derivatives converge to the continuous operator
                             : what == "ddy(u)" ? -w * std::sin(x) * std::sin(y) * std::sin(z)
                             : what == "ddz(u)" ? w * std::sin(x) * std::cos(y) * std::cos(z)
                                                : -3 * w * w * std::sin(x) * std::cos(y) * std::sin(z);
-        most = std::max(most, std::abs(static_cast<double>(got[i]) - want));
+        maximum = std::max(maximum, std::abs(static_cast<double>(got[i]) - want));
       }
-      errors[fine] = most;
+      errors[fine] = maximum;
     }
     CHECK_MESSAGE(std::abs(std::log2(errors[0] / errors[1]) - 2) < 0.2, errors[0], " ", errors[1]);
   }

@@ -48,17 +48,17 @@ bool isWatertight(const sim::Mesh& mesh) {
 
 /// Returns the minimum cosine between a triangle's normal and the normals of its corners.
 double normalAgreement(const sim::Mesh& mesh) {
-  double least = 1;
+  double minimum = 1;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
                     c = mesh.positions[mesh.indices[i + 2]];
     const glm::vec3 area = glm::cross(b - a, c - a);
     if (glm::length(area) < 1e-9F) continue;
     for (std::size_t k = 0; k < 3; ++k)
-      least = std::min(
-          least, static_cast<double>(glm::dot(glm::normalize(area), mesh.normals[mesh.indices[i + k]])));
+      minimum = std::min(
+          minimum, static_cast<double>(glm::dot(glm::normalize(area), mesh.normals[mesh.indices[i + k]])));
   }
-  return least;
+  return minimum;
 }
 
 // area of a regular polygon with 64 corners and circumradius 1

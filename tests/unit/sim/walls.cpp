@@ -80,26 +80,27 @@ class Outlines {
     return odd;
   }
   [[nodiscard]] double distance(int k, glm::dvec2 at) const {
-    double least = 1e9;
+    double minimum = 1e9;
     for (const Wall& w : walls_) {
       if (w.level != k) continue;
       const glm::dvec2 along = w.b - w.a;
       const double t =
           std::clamp(glm::dot(at - w.a, along) / std::max(glm::dot(along, along), 1e-30), 0.0, 1.0);
-      least = std::min(least, glm::length(at - w.a - along * t));
+      minimum = std::min(minimum, glm::length(at - w.a - along * t));
     }
-    return least;
+    return minimum;
   }
   /// Returns the distance (m) of an outside point from the solid. It is the minimum distance to the tops
   /// below the point and to the walls.
   [[nodiscard]] double clearance(glm::dvec3 p) const {
-    double least = p.y;
+    double minimum = p.y;
     for (std::size_t k = 1; k < shape_.heights.size(); ++k) {
       const double over = std::max(p.y - shape_.heights[k], 0.0);
       const bool above = reaches(static_cast<int>(k), {p.x, p.z});
-      least = std::min(least, above ? over : std::hypot(over, distance(static_cast<int>(k), {p.x, p.z})));
+      minimum =
+          std::min(minimum, above ? over : std::hypot(over, distance(static_cast<int>(k), {p.x, p.z})));
     }
-    return least;
+    return minimum;
   }
   /// Returns the depth (m) of a point inside rock, or 0 outside.
   [[nodiscard]] double depth(glm::dvec3 p) const {

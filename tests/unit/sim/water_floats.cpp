@@ -124,8 +124,8 @@ TEST_CASE("water floats: a box and the water in a closed basin only lose energy"
     double early = 0, late = 0;
     for (int i = 0; i < 900; ++i) {
       twin.step(i * floatFrame);
-      double& most = i < 300 ? early : late;
-      if (i < 300 || i >= 600) most = std::max(most, moving());
+      double& maximum = i < 300 ? early : late;
+      if (i < 300 || i >= 600) maximum = std::max(maximum, moving());
     }
     MESSAGE("given ", given, " J, moving with ", early, " J in 10 s, ", late, " J after 20 s");
     CHECK(early < given);
@@ -184,7 +184,7 @@ TEST_CASE("water floats: a ball that plunges in and out conserves the water's vo
   WaterTwin twin = twinOf(poolWith(ball));
   const double before = floatOf(twin, "volume");
   double highest = 0;
-  double most = 0;
+  double maximum = 0;
   for (int i = 0; i < 90; ++i) {
     twin.step(i * floatFrame);
     double sum = 0;
@@ -193,11 +193,11 @@ TEST_CASE("water floats: a ball that plunges in and out conserves the water's vo
       sum += (static_cast<double>(twin.cells[k].x) - twin.cells[k].w) * 0.01;
       displaced += twin.displaced[k].w * static_cast<double>(twin.plan().floats().step().depthUnit) * 0.01;
     }
-    most = std::max(most, displaced);
+    maximum = std::max(maximum, displaced);
     CHECK(sum - displaced == doctest::Approx(before).epsilon(1e-6));
     highest = std::max<double>(highest, twin.cells[40 * 20 + 36].x);
   }
-  CHECK(most > 0.1);       // This is the displaced volume in m^3. The float's volume is 0.268 m^3.
+  CHECK(maximum > 0.1);    // This is the displaced volume in m^3. The float's volume is 0.268 m^3.
   CHECK(highest > 0.005);  // The height of the wave is measured 1.6 m from the point of impact.
 }
 

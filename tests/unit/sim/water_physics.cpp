@@ -150,13 +150,13 @@ TEST_CASE("water: water sloshing over islands conserves its volume") {
   WaterTwin twin(sim::WaterPlan(p, "lake", 1, 1.0 / 30));
   const double before = waterOf(twin, "volume");
   const shader::WaterStep step = twin.plan().stepAt(0);
-  double least = 0;
+  double minimum = 0;
   for (int i = 0; i < 10000; ++i) {
     twin.advance(step);
     if (i % 100 == 0)
-      for (const glm::vec4& c : twin.cells) least = std::min(least, static_cast<double>(c.x) - c.w);
+      for (const glm::vec4& c : twin.cells) minimum = std::min(minimum, static_cast<double>(c.x) - c.w);
   }
-  CHECK(least == 0);
+  CHECK(minimum == 0);
   CHECK(std::abs(waterOf(twin, "volume") / before - 1) < 1e-6);
   CHECK(waterOf(twin, "fastest") > 1e-3);
 }
@@ -245,7 +245,7 @@ TEST_CASE("water: incoming waves have the given shape, travel at sqrt(g h) and l
   p.swell = {{0, scene::Animated<float>({{0, 0.04F}, {6, 0.04F}, {6.001, 0}}, scene::Ease::linear), 2, 0}};
   WaterTwin twin(sim::WaterPlan(p, "channel", 1, 1.0 / 20));
   const double c = std::sqrt(earth * 2);
-  double most = 0;
+  double maximum = 0;
   double latest = 0;
   for (int frame = 0; frame < 600; ++frame) {
     twin.step(frame / 20.0);
@@ -254,11 +254,11 @@ TEST_CASE("water: incoming waves have the given shape, travel at sqrt(g h) and l
     if (seconds > 5 && seconds < 9) {
       const double phase = 2 * 3.14159265358979 * (seconds - 20.125 / c) / 2;
       CHECK(std::abs(level - 0.02 * std::sin(phase)) < 3e-3);
-      most = std::max(most, level);
+      maximum = std::max(maximum, level);
     }
     if (seconds > 22) latest = std::max(latest, std::abs(level));
   }
-  CHECK(most > 0.017);
+  CHECK(maximum > 0.017);
   CHECK(latest < 0.02 * 0.02);
   CHECK(waterOf(twin, "volume") == doctest::Approx(60 * 0.5 * 2).epsilon(1e-3));
 }

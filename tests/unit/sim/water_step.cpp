@@ -168,8 +168,8 @@ TEST_CASE("water: a step equals the papers' equations in double precision") {
     p.substeps = 12;
     if (torus) p.sides.fill(sim::WaterBorder::periodic);
     WaterTwin twin(sim::WaterPlan(p, "lake", 1, 1.0 / 10));
-    const shader::WaterStep told = twin.plan().stepAt(0);
-    Lake lake{p.size.x, p.size.y, torus, told.gravity, told.ratio, told.dry, {}, {}, {}, {}};
+    const shader::WaterStep uniforms = twin.plan().stepAt(0);
+    Lake lake{p.size.x, p.size.y, torus, uniforms.gravity, uniforms.ratio, uniforms.dry, {}, {}, {}, {}};
     int i = 0;
     for (glm::vec4& c : twin.cells) {
       // The state is rough, so that every limiter acts, and partly supercritical.
@@ -184,16 +184,16 @@ TEST_CASE("water: a step equals the papers' equations in double precision") {
       ++i;
     }
     step(lake);
-    twin.advance(told);
+    twin.advance(uniforms);
     double worst = 0;
-    double most = 0;
+    double maximum = 0;
     for (std::size_t k = 0; k < twin.cells.size(); ++k) {
       const glm::vec4& c = twin.cells[k];
       worst = std::max(
           {worst, std::abs(c.x - lake.level[k]), std::abs(c.y - lake.qx[k]), std::abs(c.z - lake.qy[k])});
-      most = std::max(most, std::abs(lake.qx[k]));
+      maximum = std::max(maximum, std::abs(lake.qx[k]));
     }
-    CHECK(most > 1);
+    CHECK(maximum > 1);
     CHECK(worst < 2e-5);
   }
 }

@@ -111,7 +111,7 @@ void printShares(double whole) {
     kernels->start(0);
     const auto steps = stepsOf(plan, kernels);
     for (int i = 0; i < 10; ++i) steps();
-    const Taken taken = leastOf(steps);
+    const Taken taken = minimumOf(steps);
     fmt::print("  without {:<30} {:>6.1f} ms of a processor, {:>5.1f}% of the step\n", name,
                1e3 * taken.processor, 100 * taken.processor / whole);
   }
@@ -141,7 +141,7 @@ Subject fluidTank() {
                   frames(std::make_shared<FluidTwin>(*plan)),
                   steps};
   subject.after = [=] {
-    const Taken taken = leastOf(steps);
+    const Taken taken = minimumOf(steps);
     const double cycles = kernels->pressure().report().cycles;
     fmt::print(
         "  {:.1f} whole steps a second, {:.1f} a processor second; {:.1f} cycles (the plain loop {}), {} "
@@ -154,10 +154,10 @@ Subject fluidTank() {
   return subject;
 }
 
-void printFluidSpeed(int side, int mostCycles) {
+void printFluidSpeed(int side, int maxCycles) {
   const GLuint first = nextBuffer();
   sim::FluidParameters p = tank(side);
-  if (mostCycles > 0) p.cycles = mostCycles;
+  if (maxCycles > 0) p.cycles = maxCycles;
   const auto plan = std::make_shared<sim::FluidPlan>(p, "tank", 1, frameSeconds);
   const auto kernels = std::make_shared<sim::FluidKernels>("tank", *plan, false);
   kernels->start(0);

@@ -45,8 +45,8 @@ void listBuffers(const char* what, GLuint first, double cells) {
   line(fmt::format("{} in all", what), sum);
 }
 
-Taken leastOf(const std::function<void()>& work) {
-  Taken least;
+Taken minimumOf(const std::function<void()>& work) {
+  Taken minimum;
   work();
   glFinish();
   for (int i = 0; i < 5; ++i) {
@@ -54,10 +54,11 @@ Taken leastOf(const std::function<void()>& work) {
     const std::clock_t used = std::clock();
     work();
     glFinish();
-    least.wall = std::min(least.wall, secondsSince(begin));
-    least.processor = std::min(least.processor, static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC);
+    minimum.wall = std::min(minimum.wall, secondsSince(begin));
+    minimum.processor =
+        std::min(minimum.processor, static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC);
   }
-  return least;
+  return minimum;
 }
 
 void printBytes(double bytes, double cellsPerProcessorSecond) {
@@ -104,7 +105,7 @@ double copiedBySecond() {
   glUseProgram(noise);
   glDispatchCompute(1024, groups / 1024, 1);
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
-  const Taken taken = leastOf([&] {
+  const Taken taken = minimumOf([&] {
     for (int i = 0; i < 8; ++i) {
       if (gl::softwareDriver()) {
         glCopyNamedBufferSubData(from.name(), to.name(), 0, 0, static_cast<GLsizeiptr>(bytes));

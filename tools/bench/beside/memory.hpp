@@ -7,9 +7,9 @@
 namespace simreel::bench {
 
 /// These functions print the results of `bench_fluid speed` and `bench_fluid water`, for a square field
-/// with `side` cells per side that runs alone on the device. `mostCycles`: maximum number of cycles
+/// with `side` cells per side that runs alone on the device. `maxCycles`: maximum number of cycles
 /// dispatched per projection; 0 for the default.
-void printFluidSpeed(int side, int mostCycles);
+void printFluidSpeed(int side, int maxCycles);
 void printWaterSpeed(int side);
 
 /// Returns the OpenGL name that the next buffer will get.
@@ -22,7 +22,7 @@ struct Taken {
   double wall = 1e30, processor = 1e30;  ///< minimum wall-clock and processor time in seconds
 };
 /// Runs `work` several times, waits for the device after each run, and returns the shortest times.
-[[nodiscard]] Taken leastOf(const std::function<void()>& work);
+[[nodiscard]] Taken minimumOf(const std::function<void()>& work);
 
 /// Prints the memory traffic of a step and compares it with copying on one processor. `bytes`: bytes per
 /// cell and step. `cellsPerProcessorSecond`: cells that the kernels update per processor second.

@@ -32,7 +32,7 @@ double median(std::vector<double> values) {
 /// Returns the maximum number of items per second that one processor can process if it does only the
 /// minimum work. This is the lower of two measured rates: the rate of arithmetic operations, and the rate
 /// of copying as many bytes as are in use between two uses of an item.
-double limit(const Least& least) {
+double limit(const MinimumWork& minimum) {
   const auto rate = [](auto work) {
     std::vector<double> rates;
     for (int i = 0; i < 5; ++i) {
@@ -42,9 +42,9 @@ double limit(const Least& least) {
     }
     return median(rates);
   };
-  const double arithmetic = rate([] { return plain::arithmetic(); }) / least.operations;
-  const auto size = static_cast<std::size_t>(least.bytes * least.pass);
-  return std::min(arithmetic, rate([&] { return plain::copying(size); }) / least.bytes);
+  const double arithmetic = rate([] { return plain::arithmetic(); }) / minimum.operations;
+  const auto size = static_cast<std::size_t>(minimum.bytes * minimum.pass);
+  return std::min(arithmetic, rate([&] { return plain::copying(size); }) / minimum.bytes);
 }
 
 }  // namespace
@@ -77,13 +77,13 @@ void print(const Subject& subject) {
     wallRatio.push_back(a.wall / b.wall);
     processorRatio.push_back(a.processor / b.processor);
   }
-  const double most = subject.least.operations > 0 ? limit(subject.least) : 0;
+  const double maximum = subject.minimum.operations > 0 ? limit(subject.minimum) : 0;
   fmt::print("{:<24} {:>10.2f} {:>10} {:>10.2f} {:>8.2f} x {:>10.2f} {:>8.2f} x {:>8} {:>6}  {}\n",
              subject.name, median(plain) / 1e6,
              twin.empty() ? "" : fmt::format("{:.2f}", median(twin) / 1e6), median(wall) / 1e6,
              median(wallRatio), median(processor) / 1e6, median(processorRatio),
-             most > 0 ? fmt::format("{:.1f}", most / 1e6) : "",
-             most > 0 ? fmt::format("{:.1f}%", 100 * median(processor) / most) : "", subject.unit);
+             maximum > 0 ? fmt::format("{:.1f}", maximum / 1e6) : "",
+             maximum > 0 ? fmt::format("{:.1f}%", 100 * median(processor) / maximum) : "", subject.unit);
   if (subject.after) subject.after();
   std::fflush(stdout);
 }

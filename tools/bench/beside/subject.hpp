@@ -11,7 +11,7 @@ namespace simreel::bench {
 inline constexpr double frameSeconds = 1.0 / 60;
 
 /// Minimum work per item that the model's equations require.
-struct Least {
+struct MinimumWork {
   double operations = 0;  ///< number of additions, multiplications, divisions and square roots; 0 if they
                           ///< have not been counted
   double bytes = 0;       ///< bytes of memory that are read and written
@@ -27,7 +27,7 @@ struct Subject {
   double items;
   std::function<void()> plain, twin, device;  ///< functions that each run one turn of an implementation;
                                               ///< `twin` may be empty
-  Least least{};
+  MinimumWork minimum{};
   std::function<void()> after = {};  ///< function that prints further results after the subject's line; may
                                      ///< be empty
 };

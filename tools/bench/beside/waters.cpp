@@ -54,10 +54,10 @@ sim::WaterParameters basin(int side) {
 Subject waterBasin() {
   const sim::WaterParameters p = basin(basinSide);
   const sim::WaterPlan plan(p, "basin", 1, frameSeconds);
-  const shader::WaterStep told = plan.stepAt(0);
+  const shader::WaterStep uniforms = plan.stepAt(0);
   const auto own = std::make_shared<plain::Water>(
       basinSide, basinSide,
-      plain::Water::Numbers{told.ratio, told.gravity, told.thin, told.dry, told.kept});
+      plain::Water::Numbers{uniforms.ratio, uniforms.gravity, uniforms.thin, uniforms.dry, uniforms.kept});
   for (std::size_t i = 0; i < own->level.size(); ++i) {
     own->level[i] = plan.firstCells()[i].x;
     own->bed[i] = plan.firstCells()[i].w;
@@ -71,11 +71,11 @@ Subject waterBasin() {
                     for (int i = 0; i < basinSteps; ++i) own->step();
                   },
                   [=, twin = std::make_shared<WaterTwin>(plan)] {
-                    for (int i = 0; i < basinSteps; ++i) twin->advance(told);
+                    for (int i = 0; i < basinSteps; ++i) twin->advance(uniforms);
                   },
                   steps};
   subject.after = [=] {
-    const Taken taken = leastOf(steps);
+    const Taken taken = minimumOf(steps);
     fmt::print("  {:.1f} steps a second, {:.1f} a processor second, drawing of one in {} counted in\n",
                basinSteps / taken.wall, basinSteps / taken.processor, basinSteps);
     printBytes(basinBytes, basinSteps * basinCells / taken.processor);

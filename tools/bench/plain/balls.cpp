@@ -24,9 +24,9 @@ float length(const Vec3& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// Returns the fraction of the sliding vector that friction of at most `most` leaves.
-float leftByFriction(const Vec3& slide, float most) {
-  return std::max(0.0F, 1 - most / std::max(length(slide), 1e-12F));
+/// Returns the fraction of the sliding vector that friction of at most `maximum` leaves.
+float leftByFriction(const Vec3& slide, float maximum) {
+  return std::max(0.0F, 1 - maximum / std::max(length(slide), 1e-12F));
 }
 
 }  // namespace
@@ -217,8 +217,8 @@ void BallHeap::leave(float dt) {
       touches = true;
     }
     const Vec3 change = velocity - before[i];
-    const float most = 2 * pull + fastest;
-    if (touches && length(change) > most) velocity = before[i] + change * (most / length(change));
+    const float maximum = 2 * pull + fastest;
+    if (touches && length(change) > maximum) velocity = before[i] + change * (maximum / length(change));
     const Vec3 way = (positions[i] - starts_[i]) * perDt;
     if (touches && dot(way, way) < pull * pull && dot(velocity, velocity) < pull * pull) {
       positions[i] = starts_[i];

@@ -20,10 +20,10 @@ Vec3 operator*(const Vec3& a, float s) {
 float dot(const Vec3& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-Vec3 least(const Vec3& a, const Vec3& b) {
+Vec3 minimum(const Vec3& a, const Vec3& b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
 }
-Vec3 most(const Vec3& a, const Vec3& b) {
+Vec3 maximum(const Vec3& a, const Vec3& b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 int cellOf(float x, float size) {
@@ -108,8 +108,8 @@ void Contact::push(const std::vector<Vec3>& now, std::vector<Vec3>& next,
     const std::uint32_t first = *corners.begin();
     Box box{now[first], now[first]};
     for (const std::uint32_t v : corners) {
-      box.low = least(box.low, least(now[v], next[v]));
-      box.high = most(box.high, most(now[v], next[v]));
+      box.low = minimum(box.low, minimum(now[v], next[v]));
+      box.high = maximum(box.high, maximum(now[v], next[v]));
     }
     return Box{box.low - wide, box.high + wide};
   };
@@ -125,7 +125,7 @@ void Contact::push(const std::vector<Vec3>& now, std::vector<Vec3>& next,
         const std::uint32_t* c = &indices_[3 * f];
         if (apart(box, boxes_[f]) || c[0] == v || c[1] == v || c[2] == v) continue;
         // A pair may share several cells. It is handled only in the cell with the smallest coordinates.
-        const Vec3 low = most(box.low, boxes_[f].low);
+        const Vec3 low = maximum(box.low, boxes_[f].low);
         if (cellOf(low.x, cell_) == x && cellOf(low.y, cell_) == y && cellOf(low.z, cell_) == z)
           addVertex(now, int(v), f);
       }
@@ -141,7 +141,7 @@ void Contact::push(const std::vector<Vec3>& now, std::vector<Vec3>& next,
         if (j <= i || apart(boxes_[i], boxes_[j])) continue;
         const std::uint32_t *a = &edges_[2 * i], *b = &edges_[2 * j];
         if (a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1]) continue;
-        const Vec3 low = most(boxes_[i].low, boxes_[j].low);
+        const Vec3 low = maximum(boxes_[i].low, boxes_[j].low);
         if (cellOf(low.x, cell_) == x && cellOf(low.y, cell_) == y && cellOf(low.z, cell_) == z)
           addEdges(now, i, j);
       }

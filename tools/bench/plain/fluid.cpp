@@ -244,8 +244,8 @@ void Fluid::project() {
 void Fluid::moveDye(std::vector<float>& d, float dt) {
   const auto slope = [](float a, float b) {
     if (a * b <= 0) return 0.0F;
-    const float least = std::min({2 * std::abs(a), 2 * std::abs(b), 0.5F * std::abs(a + b)});
-    return a < 0 ? -least : least;
+    const float minimum = std::min({2 * std::abs(a), 2 * std::abs(b), 0.5F * std::abs(a + b)});
+    return a < 0 ? -minimum : minimum;
   };
   const auto through = [&](float way, const float* p, int pace, int place, int count) {
     const float b = p[-pace], c = p[0];

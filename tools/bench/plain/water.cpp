@@ -17,8 +17,8 @@ namespace {
 
 float limited(float a, float b) {
   if (a * b <= 0) return 0;
-  const float least = std::min({2 * std::abs(a), 2 * std::abs(b), 0.5F * std::abs(a + b)});
-  return a < 0 ? -least : least;
+  const float minimum = std::min({2 * std::abs(a), 2 * std::abs(b), 0.5F * std::abs(a + b)});
+  return a < 0 ? -minimum : minimum;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ layout(std430, binding = counterBinding) restrict buffer CounterBlock { uint cou
 layout(binding = counterUnit) uniform usamplerBuffer listedCounts;
 uniform int draw_;        // index of the current mesh copies among all drawn copies
 uniform int part;         // index of the current dispatch
-uniform int mostCopies;   // max number of copies in one dispatch
+uniform int copyLimit;   // max number of copies in one dispatch
 uniform int parts;
 uniform int listRoom;      // capacity of the list of larger triangles
 // Max side (pixels) of the bounding box of a medium-sized triangle. If this is not above the limit of small triangles,
@@ -19,7 +19,7 @@ uniform int mediumPixels;
 
 void main() {
   uint pair = gl_WorkGroupID.y * gl_NumWorkGroups.x * 64u + gl_GlobalInvocationID.x;
-  int copies = min(int(texelFetch(listedCounts, draw_).x) - skipped, mostCopies);
+  int copies = min(int(texelFetch(listedCounts, draw_).x) - skipped, copyLimit);
   if (copies <= 0 || pair >= uint(copies) * triangles) return;
   CopyTriangle c = copyTriangle(pair);
   vec2 size = vec2(PICTURE_SIZE);

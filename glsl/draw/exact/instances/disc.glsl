@@ -11,9 +11,9 @@ struct Disc {
 FUNCTION ivec4 pixelsOfDisc(Disc disc, ivec2 size) {
   precise vec2 low = disc.middle - disc.radius + 0.5f;
   precise vec2 high = disc.middle + disc.radius - 0.5f;
-  vec2 most = vec2(size);
-  precise vec2 last = most - 1.0f;
-  vec2 from = clamp(low, vec2(0.0f), most), to = clamp(high, vec2(-1.0f), last);
+  vec2 maximum = vec2(size);
+  precise vec2 last = maximum - 1.0f;
+  vec2 from = clamp(low, vec2(0.0f), maximum), to = clamp(high, vec2(-1.0f), last);
   return ivec4(int(floor(from.x)), int(floor(from.y)), int(floor(to.x)), int(floor(to.y)));
 }
 
@@ -25,6 +25,6 @@ FUNCTION float squareFromMiddle(Disc disc, ivec2 pixel) {
 }
 
 FUNCTION bool onDisc(Disc disc, ivec2 pixel) {
-  precise float most = disc.radius * disc.radius;
-  return squareFromMiddle(disc, pixel) <= most;
+  precise float maximum = disc.radius * disc.radius;
+  return squareFromMiddle(disc, pixel) <= maximum;
 }

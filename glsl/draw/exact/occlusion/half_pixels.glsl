@@ -11,11 +11,11 @@
 FUNCTION float partOf(float here, float part) {
 #ifdef PARALLEL
   precise float height = float(view.size.y) * exactSqrt(exactDot(vec3(view.rayDown), vec3(view.rayDown)));
-  precise float most = part * 1.37f * height;
+  precise float maximum = part * 1.37f * height;
 #else
-  precise float most = part * here;
+  precise float maximum = part * here;
 #endif
-  return most;
+  return maximum;
 }
 
 // Returns the change of nearness per half pixel to the right or downwards, from a half pixel and its two neighbours. If
@@ -27,8 +27,8 @@ FUNCTION float slopeBetween(float before, float here, float behind) {
   precise float from = behind - here;
   precise float mean = 0.5f * (to + from);
   precise float bend = from - to;
-  float most = partOf(here, 0.01f);
+  float maximum = partOf(here, 0.01f);
   float lesser = abs(to) < abs(from) ? to : from;
-  return bend < 0.0f && bend > -most ? mean : lesser;
+  return bend < 0.0f && bend > -maximum ? mean : lesser;
 }
 #endif

@@ -135,8 +135,8 @@ void main() {
   }
   // A rough surface that receives light from smooth surfaces would get rare, very bright samples. The hit surface is
   // therefore treated as rougher.
-  precise float least = 0.7f + (roughness - 0.7f) * from.w;
-  Facet f = foundFacet(at, p, towards.xyz, uintBitsToFloat(hit.x), uintBitsToFloat(hit.zw), least, rayWidth(from.xyz, uintBitsToFloat(hit.x), weight.w));
+  precise float minimum = 0.7f + (roughness - 0.7f) * from.w;
+  Facet f = foundFacet(at, p, towards.xyz, uintBitsToFloat(hit.x), uintBitsToFloat(hit.zw), minimum, rayWidth(from.xyz, uintBitsToFloat(hit.x), weight.w));
   precise vec3 through = weight.rgb * share;
   vec3 certain = towardsLight(path, f, through, samplePoint(start.number, sampleMask, start.seed, 3u));
   Onward onward = onwardFrom(f, samplePoint(start.number, sampleMask, start.seed, 4u));

@@ -9,13 +9,13 @@ FUNCTION float restOf(Facet f) {
 }
 
 FUNCTION Facet withFibres(Facet f, vec3 color, float roughness) {
-  float most = max(color.x, max(color.y, color.z));
-  precise float kept = 1.0f - most * sheenAlbedo(roughness, f.nv);
+  float maximum = max(color.x, max(color.y, color.z));
+  precise float kept = 1.0f - maximum * sheenAlbedo(roughness, f.nv);
   f.fibres = color;
   f.fibreRoughness = roughness;
   f.kept = max(kept, 0.0f);
   // Samples of the diffuse surface also sample the fibres, so at least half of the samples are diffuse.
-  f.mirrors = most > 0.0f ? min(f.mirrors, 0.5f) : f.mirrors;
+  f.mirrors = maximum > 0.0f ? min(f.mirrors, 0.5f) : f.mirrors;
   return f;
 }
 

@@ -30,7 +30,7 @@ struct Found {
 vec3 colorOf(uvec4 words) {
   return vec3(unpackHalf2x16(words.y), unpackHalf2x16(words.z).x);
 }
-Found foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float least, float width) {
+Found foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float minimum, float width) {
   ivec3 vertices = metCorners(at);
   uvec4 a = texelFetch(vertexWords, vertices.x), b = texelFetch(vertexWords, vertices.y), c = texelFetch(vertexWords, vertices.z);
   vec3 pa = metPlace(at, 0), pb = metPlace(at, 1), pc = metPlace(at, 2);
@@ -47,7 +47,7 @@ Found foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float leas
   bool turned = exactDot(mean, facing) < 0.0f;
   vec3 normal = unitOf(turned ? -mean : mean);
   precise vec3 base = colorOf(a) * rest + colorOf(b) * weight.x + colorOf(c) * weight.y;
-  vec4 look = lookOf(int(a.w), plainLook);
+  vec4 look = lookOf(int(a.w), fallbackMaterial);
   vec3 lifted = roundedPlace(p, pa, pb, pc, turned ? -na : na, turned ? -nb : nb, turned ? -nc : nc, vec3(rest, weight));
   Found found;
   found.owner = int(a.w);
@@ -100,7 +100,7 @@ Found foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float leas
 #ifdef FINISHED
   lifted = lookOf(found.owner, sheenLook).w > 0.0f ? p : lifted;
 #endif
-  found.facet = facetOf(lifted, facing, normal, view, base, vec3(max(look.x, least), look.yz), t);
+  found.facet = facetOf(lifted, facing, normal, view, base, vec3(max(look.x, minimum), look.yz), t);
   precise vec3 moved = lifted - p;
   found.facet.lift = exactDot(moved, facing);
 #ifdef EMITTERS
@@ -115,26 +115,26 @@ Found foundTriangle(int at, vec3 p, vec3 along, float t, vec2 weight, float leas
 #endif
 
 #ifdef BALLS
-Facet foundBall(int at, vec3 p, vec3 along, float t, float least) {
+Facet foundBall(int at, vec3 p, vec3 along, float t, float minimum) {
   vec4 ball = uintBitsToFloat(texelFetch(sortedBalls, 2 * at));
   vec4 own = texelFetch(ballLooks, int(texelFetch(sortedBalls, 2 * at + 1).w));
   precise vec3 outwards = p - ball.xyz;
   vec3 normal = unitOf(outwards);
   precise vec3 view = -along;
-  vec4 look = lookOf(int(own.w), plainLook);
-  return facetOf(p, normal, normal, view, own.rgb, vec3(max(look.x, least), look.yz), t);
+  vec4 look = lookOf(int(own.w), fallbackMaterial);
+  return facetOf(p, normal, normal, view, own.rgb, vec3(max(look.x, minimum), look.yz), t);
 }
 #endif
 
-// Returns the facet of a hit. `least` is the minimum roughness of the facet. `width` is the filter width of textures
+// Returns the facet of a hit. `minimum` is the minimum roughness of the facet. `width` is the filter width of textures
 // (m).
-Facet foundFacet(int at, vec3 p, vec3 along, float t, vec2 weight, float least, float width) {
+Facet foundFacet(int at, vec3 p, vec3 along, float t, vec2 weight, float minimum, float width) {
 #ifdef BALLS
-  if (at >= ballBit && at != groundHit) return foundBall(at - ballBit, p, along, t, least);
+  if (at >= ballBit && at != groundHit) return foundBall(at - ballBit, p, along, t, minimum);
 #endif
 #ifdef TRIANGLES
   if (at < ballBit) {
-    Facet f = foundTriangle(at, p, along, t, weight, least, width).facet;
+    Facet f = foundTriangle(at, p, along, t, weight, minimum, width).facet;
 #ifdef FINISHED
     f = settled(f);
 #endif
@@ -142,5 +142,5 @@ Facet foundFacet(int at, vec3 p, vec3 along, float t, vec2 weight, float least, 
   }
 #endif
   precise vec3 view = -along;
-  return facetOf(p, vec3(0, 1, 0), vec3(0, 1, 0), view, frame.groundColor.rgb, vec3(max(frame.groundRoughness, least), 0.0f, 0.0f), t);
+  return facetOf(p, vec3(0, 1, 0), vec3(0, 1, 0), view, frame.groundColor.rgb, vec3(max(frame.groundRoughness, minimum), 0.0f, 0.0f), t);
 }

@@ -47,9 +47,9 @@ bool isOnSun(vec3 direction) {
 // With more rays the image is sharper.
 vec3 skyLight(vec3 direction, float factor, float roughness, float share, float all_) {
 #ifdef ENVIRONMENT
-  precise float most = 0.5f * (1.0f + (roughness - 1.0f) * share);
+  precise float maximum = 0.5f * (1.0f + (roughness - 1.0f) * share);
   precise float square = 0.07957747f * exactReciprocal(max(all_, 1e-6f));
-  float blur = min(exactSqrt(exactSqrt(square)), most);
+  float blur = min(exactSqrt(exactSqrt(square)), maximum);
   precise vec3 light = environmentMirrored(direction, blur) * factor;
 #else
   precise vec3 light = skyRadiance(direction.y) * factor;

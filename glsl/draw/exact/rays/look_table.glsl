@@ -4,7 +4,7 @@
 #ifndef EXACT_RAY_LOOK_TABLE
 #define EXACT_RAY_LOOK_TABLE
 const int lookTexels = 18;
-const int plainLook = 0;     // texel: roughness, metallic, translucency, 1 if the material casts shadows
+const int fallbackMaterial = 0;     // texel: roughness, metallic, translucency, 1 if the material casts shadows
 const int lightLook = 1;     // texel: rgb emission; w: strength of the coat
 // Texel: roughness of coat and of sheen, opacity, alpha mode (above 0: cutoff of holes; -1: blended; 0: opaque).
 const int layerLook = 2;

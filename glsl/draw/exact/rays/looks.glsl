@@ -3,10 +3,10 @@
 #define EXACT_RAY_LOOKS
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/look_table.glsl"
-layout(binding = rayLookUnit) uniform usamplerBuffer looks;
+layout(binding = rayLookUnit) uniform usamplerBuffer materials;
 
 uvec4 lookWords(int owner, int which) {
-  return texelFetch(looks, lookTexels * owner + which);
+  return texelFetch(materials, lookTexels * owner + which);
 }
 vec4 lookOf(int owner, int which) {
   return uintBitsToFloat(lookWords(owner, which));

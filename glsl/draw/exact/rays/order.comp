@@ -27,12 +27,12 @@ void main() {
   Solid solid = solidOf(number);
   uvec3 box = solid.there ? packedBox(gridOfAll(), solid.low, solid.high) : uvec3(emptyBoxX, emptyBoxY, emptyBoxZ);
 #ifdef BALLS
-  bool casts = lookOf(int(texelFetch(ballLooks, number).w), plainLook).w > 0.0f;
+  bool casts = lookOf(int(texelFetch(ballLooks, number).w), fallbackMaterial).w > 0.0f;
   sorted[2 * i] = floatBitsToUint(solid.there ? solid.ball : vec4(0));
   sorted[2 * i + 1] = uvec4(box.x | (casts ? 0u : 0x80000000u), box.yz, uint(number));
 #else
   int owner = int(texelFetch(vertexWords, int(texelFetch(corners, 3 * number).x)).w);
-  bool casts = lookOf(owner, plainLook).w > 0.0f;
+  bool casts = lookOf(owner, fallbackMaterial).w > 0.0f;
   uint marks = (casts ? 0u : 0x80000000u) | (letsThrough(owner) ? 0x8000u : 0u);
   sorted[3 * i] = uvec4(floatBitsToUint(solid.there ? solid.a.xyz : vec3(0)), box.x | marks);
   sorted[3 * i + 1] = uvec4(floatBitsToUint(solid.there ? solid.b.xyz : vec3(0)), box.y);

@@ -94,7 +94,7 @@ RayHit hitOrPassed(Ray ray, RayHit hit, RayHit best) {
     passed_ = left;
     return opacity < 1.0f ? best : hit;
   }
-  precise float share = lookOf(owner, sheenLook).w * (1.0f - lookOf(owner, plainLook).y);
+  precise float share = lookOf(owner, sheenLook).w * (1.0f - lookOf(owner, fallbackMaterial).y);
   if (share <= 0.0f) return hit;
   if (!owns) return best;
   uvec4 words = texelFetch(vertexWords, vertices.x);

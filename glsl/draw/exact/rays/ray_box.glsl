@@ -15,9 +15,9 @@ struct RayGrid {
 
 FUNCTION RayGrid rayGrid(vec3 low, vec3 high) {
   precise vec3 size = high - low;
-  float most = max(max(size.x, max(size.y, size.z)), 1e-6f);
-  precise float least = most * 1e-4f;
-  precise vec3 cell = max(size, vec3(least)) * 3.0521e-5f;  // 1 / 32764: the scene spans 32,764 of the 32,768 cells
+  float maximum = max(max(size.x, max(size.y, size.z)), 1e-6f);
+  precise float minimum = maximum * 1e-4f;
+  precise vec3 cell = max(size, vec3(minimum)) * 3.0521e-5f;  // 1 / 32764: the scene spans 32,764 of the 32,768 cells
   precise vec3 first = low - cell * 1.5f;
   RayGrid grid;
   grid.low = first;
@@ -86,7 +86,7 @@ FUNCTION RayPlanes rayPlanes(RayGrid grid, vec3 origin, vec3 direction) {
 FUNCTION float greatestFromZero(vec3 v) {
   return intBitsToFloat(max(max(floatBitsToInt(v.x), floatBitsToInt(v.y)), max(floatBitsToInt(v.z), 0)));
 }
-FUNCTION float leastAbove(vec3 v) {
+FUNCTION float minAbove(vec3 v) {
   return intBitsToFloat(min(min(floatBitsToInt(v.x), floatBitsToInt(v.y)), floatBitsToInt(v.z)));
 }
 // Returns true if from <= to, where from >= 0; `to` may be negative.
@@ -103,6 +103,6 @@ FUNCTION vec2 spanIn(RayPlanes planes, uint x, uint y, uint z) {
   vec3 far = vec3(float(planes.backX ? lowX : highX), float(planes.backY ? lowY : highY), float(planes.backZ ? lowZ : highZ));
   precise vec3 enters = near * planes.a + planes.c;
   precise vec3 leaves = far * planes.a + planes.c;
-  return vec2(greatestFromZero(enters), leastAbove(leaves));
+  return vec2(greatestFromZero(enters), minAbove(leaves));
 }
 #endif

@@ -1,5 +1,5 @@
 // Adds the light of paths to their spots, sample by sample in a fixed order. The indirect light of a sample is scaled
-// down if one of its channels is above `most`, which suppresses fireflies. One invocation handles one spot.
+// down if one of its channels is above `maximum`, which suppresses fireflies. One invocation handles one spot.
 #include "draw/exact/rays/bindings.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 64) in;
@@ -12,7 +12,7 @@ uniform int paths;
 uniform int firstSpot;
 uniform int spotCount;
 uniform int sampleCount;
-uniform float most;
+uniform float maximum;
 
 vec3 arriving(int kind, int path) {
   int i = kind * paths + path;
@@ -38,7 +38,7 @@ void main() {
     int path = s * spotCount + spot;
     precise vec3 onward = certain(nextSure, path) + arriving(nextLightKind, path) + arriving(nextOnwardKind, path);
     float brightest = max(onward.x, max(onward.y, onward.z));
-    precise float held = brightest > most ? most * exactReciprocal(brightest) : 1.0f;
+    precise float held = brightest > maximum ? maximum * exactReciprocal(brightest) : 1.0f;
     sum = sum + certain(spotSure, path) + arriving(0, path) + arriving(1, path) + onward * held;
   }
   spotLight[at] = vec4(sum, 0.0f);

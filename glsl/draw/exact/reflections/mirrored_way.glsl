@@ -158,10 +158,10 @@ FUNCTION float meetingPlane(MirrorWay way, ivec2 at, float here, vec2 slope, flo
   precise vec2 aside = way.from - (vec2(at) + 0.5f);
   // The nearest point of a half pixel is about a third of a half pixel from its centre.
   precise float bias = 0.3f * (abs(slope.x) + abs(slope.y));
-  precise float apart = here - bias + (slope.x * aside.x + slope.y * aside.y) - way.nearness;
+  precise float separation = here - bias + (slope.x * aside.x + slope.y * aside.y) - way.nearness;
   precise float closing = way.rate - (slope.x * way.along.x + slope.y * way.along.y);
   bool closes = closing < -1e-12f;
-  precise float t = apart * exactReciprocal(closes ? closing : 1.0f);
+  precise float t = separation * exactReciprocal(closes ? closing : 1.0f);
   precise float within = low + 2.0f;
   precise float early = low - 1.0f;
   return closes && t > early ? clamp(t, low, high) : within;
@@ -209,8 +209,8 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
   vec2 perWay = vec2(exactReciprocal(abs(way.along.x) < 1e-6f ? 1e-6f : way.along.x),
                      exactReciprocal(abs(way.along.y) < 1e-6f ? 1e-6f : way.along.y));
   ivec2 beyond = ivec2(way.along.x > 0.0f ? 1 : 0, way.along.y > 0.0f ? 1 : 0);
-  float least = partOf(way.nearness, 0.002f);
-  precise float ownPlane = way.nearness + 0.75f * (abs(way.slope.x) + abs(way.slope.y)) + least;
+  float minimum = partOf(way.nearness, 0.002f);
+  precise float ownPlane = way.nearness + 0.75f * (abs(way.slope.x) + abs(way.slope.y)) + minimum;
   float t = 0.0f;
   bool met = false;
   int level = 0;

@@ -10,8 +10,8 @@ struct AreaReceiver {
                  // receiver
   vec2 rise;     // change of the receiver's nearness per texel along its surface
   float spread;  // radius of the penumbra (texels) per unit of nearness between caster and receiver
-  float least;   // min radius of the filter in texels
-  float most;    // max radius of the filter in texels
+  float minimum;   // min radius of the filter in texels
+  float maximum;    // max radius of the filter in texels
 };
 
 float mapNear(usamplerBuffer keys, ShadowMap map, vec2 place) {
@@ -47,11 +47,11 @@ Casters castersWithin(usamplerBuffer keys, ShadowMap map, AreaReceiver r, float 
 
 float areaDiscFraction(usamplerBuffer keys, ShadowMap map, AreaReceiver r) {
   precise float widest = (1.0f - r.near) * r.spread;
-  Casters casters = castersWithin(keys, map, r, clamp(widest, r.least, r.most));
+  Casters casters = castersWithin(keys, map, r, clamp(widest, r.minimum, r.maximum));
   if (casters.count == 0) return 1.0f;
   precise float between = casters.near * exactReciprocal(float(casters.count)) - r.near;
   precise float wide = between * r.spread;
-  int shaded = castersWithin(keys, map, r, clamp(wide, r.least, r.most)).count;
+  int shaded = castersWithin(keys, map, r, clamp(wide, r.minimum, r.maximum)).count;
   precise float fraction = float(128 - shaded) * 0.0078125f;
   return fraction;
 }

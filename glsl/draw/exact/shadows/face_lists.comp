@@ -15,8 +15,8 @@ uniform int firstFace;
 uniform int faces;
 #include "draw/exact/list_place.glsl"
 
-bool allBelow(vec3 v, float least) {
-  return max(v.x, max(v.y, v.z)) < least;
+bool allBelow(vec3 v, float minimum) {
+  return max(v.x, max(v.y, v.z)) < minimum;
 }
 
 // Returns true if all three corners are beyond the side y = x of the face. x holds the distances along the face's axis.

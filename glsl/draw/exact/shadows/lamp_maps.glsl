@@ -43,9 +43,9 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
     precise float least_ = -0.15f * exactSqrt(exactDot(q, q));
     precise float perOff = sampling.x * sampling.y * exactReciprocal(min(exactDot(across, q), least_));
     precise vec2 rise = across.yz * perOff;
-    precise float most = 0.125f * maps.x - 2.0f;
-    precise float least = 0.5f + sampling.z;
-    return areaDiscFraction(lampKeys, map, AreaReceiver(middle, min(near, 1.0f), rise, spread, least, max(most, least)));
+    precise float maximum = 0.125f * maps.x - 2.0f;
+    precise float minimum = 0.5f + sampling.z;
+    return areaDiscFraction(lampKeys, map, AreaReceiver(middle, min(near, 1.0f), rise, spread, minimum, max(maximum, minimum)));
   }
 #endif
 #if LAMP_TAPS == 4

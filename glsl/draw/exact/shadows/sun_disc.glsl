@@ -15,8 +15,8 @@ struct SunReceiver {
   vec2 rise;     // change of the receiver's nearness per texel along its surface; it prevents the surface's plane from
                  // shadowing itself
   float spread;  // radius of the penumbra (texels) per unit of depth between caster and receiver
-  float least;   // min radius of the filter in texels
-  float most;    // max radius of the filter in texels
+  float minimum;   // min radius of the filter in texels
+  float maximum;    // max radius of the filter in texels
 };
 
 // Returns the nearness of the receiver's plane at the offset `way` (texels) from the receiver.
@@ -45,7 +45,7 @@ FUNCTION int litOfFour(SunReceiver r, vec2 way, vec2 aside) {
 FUNCTION float sunDiscFraction(SunReceiver r) {
   // Limits the search radius, because the nearness of casters is at most 1.
   precise float widest = (1.0f - r.near) * r.spread;
-  float search = clamp(widest, r.least, r.most);
+  float search = clamp(widest, r.minimum, r.maximum);
   int casters = 0;
   precise float sum = 0.0f;
   for (int i = 0; i < discTaps; ++i) {
@@ -60,7 +60,7 @@ FUNCTION float sunDiscFraction(SunReceiver r) {
   if (casters == discTaps) return 0.0f;
   precise float between = sum * exactReciprocal(float(casters)) - r.near;
   precise float wide = between * r.spread;
-  float radius = clamp(wide, r.least, r.most);
+  float radius = clamp(wide, r.minimum, r.maximum);
   // The side of a square equals the spacing of the points, so the corners of all squares are spread evenly over the
   // disc. The factor 0.985 gives the corners the variance of the disc, so that the penumbra has the correct width.
   precise vec2 aside = radius * vec2(0.033f, 0.1f);

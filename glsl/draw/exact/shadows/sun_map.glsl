@@ -27,8 +27,8 @@ float sunFraction(vec3 place, vec3 normal, float nearer) {
   precise vec2 middle = place.xy * frame.shadowTexels;
   precise float near = 1.0f - place.z + nearer;
   precise float spread = frame.sunSpread * exactReciprocal(perTexel);
-  precise float least = 0.5f + frame.shadowSoftness;
-  return sunDiscFraction(SunReceiver(middle, near, rise, spread, least, frame.shadowReach));
+  precise float minimum = 0.5f + frame.shadowSoftness;
+  return sunDiscFraction(SunReceiver(middle, near, rise, spread, minimum, frame.shadowReach));
 }
 #else
 float sunFraction(vec3 place, vec3 normal, float nearer) {

@@ -43,7 +43,7 @@ Exit exitBehind(Spot spot, ivec2 pixel, int sampleAt) {
 float curvatureOn(Spot spot) {
   vec3 a = unpackedUnit(texelFetch(vertices, spot.corners.x).w), b = unpackedUnit(texelFetch(vertices, spot.corners.y).w);
   vec3 c = unpackedUnit(texelFetch(vertices, spot.corners.z).w);
-  float most = 0.0f;
+  float maximum = 0.0f;
   for (int i = 0; i < 2; ++i) {
     vec2 aside = vec2(i == 0 ? 2.0f : 0.0f, i == 0 ? 0.0f : 2.0f);
     vec3 w = weightsBeside(spot, aside);
@@ -52,9 +52,9 @@ float curvatureOn(Spot spot) {
     precise vec3 mean = w.x * a + w.y * b + w.z * c;
     precise vec3 turned = unitOf(mean) - spot.normal;
     precise float curvature = exactDot(turned, moved) * exactReciprocal(max(exactDot(moved, moved), 1e-20f));
-    most = max(most, curvature);
+    maximum = max(maximum, curvature);
   }
-  return most;
+  return maximum;
 }
 
 // Returns the light that a refracted ray meets: objects of the picture, else the ground, else the sky.
@@ -104,7 +104,7 @@ vec4 throughGlass(vec3 light, vec3 base, float roughness, Spot spot, ivec2 pixel
     open = 0.0f;
   }
 #endif
-  float kept = sharesOf(vec3(1), roughness, 0.0f, exactDot(n, spot.view)).matt.x;
+  float kept = barycentricWeights(vec3(1), roughness, 0.0f, exactDot(n, spot.view)).matt.x;
   precise vec3 part = glass_.x * kept * kept * base * leftAfter(absorbed_, metres);
   precise vec3 change = light + part * seen - behind.rgb;
   precise float cover = glassLayer_.w == 0 ? 1.0f - behind.a : 1.0f - exactDot(part, vec3(0.333333f)) * open - behind.a;

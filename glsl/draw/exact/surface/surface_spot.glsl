@@ -69,14 +69,14 @@ vec3 weightsBeside(Spot spot, vec2 aside) {
 float turnsOn(Spot spot) {
   vec3 a = unpackedUnit(texelFetch(vertices, spot.corners.x).w), b = unpackedUnit(texelFetch(vertices, spot.corners.y).w);
   vec3 c = unpackedUnit(texelFetch(vertices, spot.corners.z).w);
-  float most = 0.0f;
+  float maximum = 0.0f;
   for (int i = 0; i < 2; ++i) {
     vec3 w = weightsBeside(spot, vec2(i == 0 ? 2.0f : 0.0f, i == 0 ? 0.0f : 2.0f));
     precise vec3 mean = w.x * a + w.y * b + w.z * c;
     precise vec3 turned = unitOf(mean) - spot.normal;
-    most = max(most, exactDot(turned, turned));
+    maximum = max(maximum, exactDot(turned, turned));
   }
-  return exactSqrt(most);
+  return exactSqrt(maximum);
 }
 #endif
 

@@ -18,11 +18,11 @@ vec4 lightOf(ivec2 pixel, uint number, int firstSample);
 // that the light is summed in a fixed order.
 int firstToLight(PixelIds shown, int left) {
 #ifdef JOINED
-  uint least = emptyId;
-  for (int s = 0; s < SAMPLES; ++s) least = (left >> s & 1) != 0 ? min(least, shown.of[s]) : least;
-  int owner = ownerOf(least), first = 0;
+  uint minimum = emptyId;
+  for (int s = 0; s < SAMPLES; ++s) minimum = (left >> s & 1) != 0 ? min(minimum, shown.of[s]) : minimum;
+  int owner = ownerOf(minimum), first = 0;
   for (int s = SAMPLES - 1; s >= 0; --s)
-    if ((left >> s & 1) != 0 && (shown.of[s] == least || ownerOf(shown.of[s]) == owner)) first = s;
+    if ((left >> s & 1) != 0 && (shown.of[s] == minimum || ownerOf(shown.of[s]) == owner)) first = s;
   return first;
 #else
   return findLSB(left);
@@ -53,14 +53,14 @@ void lightTile(uint firstId, uint numbers) {
       if (inPicture(pixel)) left[k] = samplesOf(idsOf(pixel), firstId, numbers);
     }
     while ((left.x | left.y | left.z | left.w) != 0) {
-      uint least = emptyId;
+      uint minimum = emptyId;
       for (int k = 0; k < 4; ++k) {
         if (left[k] == 0) continue;
         PixelIds shown = idsOf(pixelOfHalf(corner, i, k));
-        for (int s = 0; s < SAMPLES; ++s) least = (left[k] >> s & 1) != 0 ? min(least, shown.of[s]) : least;
+        for (int s = 0; s < SAMPLES; ++s) minimum = (left[k] >> s & 1) != 0 ? min(minimum, shown.of[s]) : minimum;
       }
       ivec4 same = ivec4(0);
-      uint part = partOfThing(least);
+      uint part = partOfThing(minimum);
       for (int k = 0; k < 4; ++k)
         if (left[k] != 0) same[k] = samplesOfPart(idsOf(pixelOfHalf(corner, i, k)), left[k], part);
       int k = firstOf(same), s = findLSB(same[k]);

@@ -67,7 +67,7 @@ shared uint shown[64];
 // Surfaces that the invocation's pixels show. With FEW, one atomic adds them at the end, because software drivers
 // execute atomics lane by lane.
 uint mine = 0u;
-void show(int draw) {
+void markShown(int draw) {
 #ifdef FEW
   mine |= 1u << draw;
 #else
@@ -153,9 +153,9 @@ int groundOf(ivec2 pixel, uvec4 keys) {
   precise float within = sure * farther;
   precise float down = frame.groundHeight - view.eye.y;
   precise float steep = abs(down) * farther;
-  precise float leastSteep = 3e-6f * view.near;  // same min slope as in groundDepth()
-  precise float leastNear = view.nearOverFar * 1.001f;
-  bool seen = farther >= leastNear && steep >= leastSteep && nearer <= 0.999f && within >= raysAround.x;
+  precise float minSteep = 3e-6f * view.near;  // same min slope as in groundDepth()
+  precise float minNear = view.nearOverFar * 1.001f;
+  bool seen = farther >= minNear && steep >= minSteep && nearer <= 0.999f && within >= raysAround.x;
 #ifdef PARALLEL
   seen = false;  // The bounds above hold only for perspective views. Here, all samples are tested one by one.
 #endif
@@ -237,12 +237,12 @@ void look(ivec2 pixel) {
     for (int s = SAMPLES - 1; s >= 0; --s) id = (left >> s & 1) != 0 ? seen[s] : id;
     left &= left - 1;
     int draw = drawOf(id);
-    show(draw);
+    markShown(draw);
     uint from = texelFetch(firstIds, draw).x, to = draw + 1 < draws ? texelFetch(firstIds, draw + 1).x : groundId;
     for (int s = 0; s < SAMPLES; ++s) left &= seen[s] >= from && seen[s] < to ? ~(1 << s) : ~0;
   }
 #endif
-  if (onGround > 0) show(draws + onGround - 1);
+  if (onGround > 0) markShown(draws + onGround - 1);
 }
 
 void main() {

@@ -123,8 +123,8 @@ ivec4 edgeOfFour(Edge edge, int sixteenth, int f) {
 vec4 nearAt(Four four, float first, vec4 plane) {
   precise vec4 near = first + (four.across + plane.y * vec4(four.down));
   for (int i = 0; i < 4; ++i) {
-    float least = near[i] > plane.z ? near[i] : plane.z;
-    near[i] = least < plane.w ? least : plane.w;
+    float minimum = near[i] > plane.z ? near[i] : plane.z;
+    near[i] = minimum < plane.w ? minimum : plane.w;
   }
   return near;
 }
@@ -145,8 +145,8 @@ void main() {
 #ifdef KEYS_ONLY
 #define LOAD(J) vec4 near##J = nearOf(keysAt(pixel, J), -1.0f);
 #else
-  float least = view.nearOverFar;
-#define LOAD(J) vec4 near##J = nearOf(keysAt(pixel, J), least); ivec4 id##J = idsAt(pixel, J);
+  float minimum = view.nearOverFar;
+#define LOAD(J) vec4 near##J = nearOf(keysAt(pixel, J), minimum); ivec4 id##J = idsAt(pixel, J);
 #endif
   ALL_FOURS(LOAD);
   uint node = texelFetch(bins, binCounts + list).x;

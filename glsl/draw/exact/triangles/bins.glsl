@@ -44,7 +44,7 @@ bool bin(Triangle t, uint id) {
   ivec2 a = t.edges[0].from, b = t.edges[1].from, c = t.edges[2].from;
   binned[number * binTexels] = uvec4(a, b);
   binned[number * binTexels + 1] = uvec4(c, id, uint(floatBitsToInt(t.near)));
-  binned[number * binTexels + 2] = floatBitsToUint(vec4(t.acrossNear, t.downNear, t.least, t.most));
+  binned[number * binTexels + 2] = floatBitsToUint(vec4(t.acrossNear, t.downNear, t.minimum, t.maximum));
   int columns = (PICTURE_SIZE.x + tileSide - 1) / tileSide, firstRow = PICTURE_ROWS.x / tileSide;
   int end = t.high.x < 0 || t.high.y < 0 ? -1 : last.y;
   Crossing ca = crossingOf(t.edges[0]), cb = crossingOf(t.edges[1]), cc = crossingOf(t.edges[2]);

@@ -35,11 +35,11 @@ Triangle drawnTriangle(Corner a, Corner b, Corner c) {
   // Polygon offset: slope times slopeOffset texels, plus a small constant for depth rounding.
   precise float offset = max(abs(t.acrossNear), abs(t.downNear)) * slopeOffset * float(subpixels) + 4e-7f;
   precise float near = t.near - offset;
-  precise float least = t.least - offset;
-  precise float most = t.most - offset;
+  precise float minimum = t.minimum - offset;
+  precise float maximum = t.maximum - offset;
   t.near = near;
-  t.least = max(least, 0.0f);
-  t.most = max(most, 0.0f);
+  t.minimum = max(minimum, 0.0f);
+  t.maximum = max(maximum, 0.0f);
 #else
   t.empty = t.empty || (t.turned && !doubleSided);
 #endif

@@ -25,7 +25,7 @@ struct Triangle {
   float near;          // nearness of the triangle at edges[0].from
   float acrossNear;    // change of nearness per 1/256 pixel to the right
   float downNear;      // change of nearness per 1/256 pixel downwards
-  float least, most;   // min and max nearness of the corners
+  float minimum, maximum;   // min and max nearness of the corners
   bool turned;         // true if the triangle's back side is visible
   bool empty;          // true if the triangle's area is zero
 };
@@ -76,8 +76,8 @@ FUNCTION Triangle triangleOf(Corner a, Corner first, Corner second) {
   t.edges[2] = edgeOf(c.at, a.at);
   t.low = min(a.at, min(b.at, c.at));
   t.high = max(a.at, max(b.at, c.at));
-  t.least = min(a.near, min(b.near, c.near));
-  t.most = max(a.near, max(b.near, c.near));
+  t.minimum = min(a.near, min(b.near, c.near));
+  t.maximum = max(a.near, max(b.near, c.near));
   // Computes the plane through the three corners, near = a + gradient . (place - a), by Cramer's rule.
   precise vec2 ab = vec2(b.at - a.at);
   precise vec2 ac = vec2(c.at - a.at);
@@ -98,7 +98,7 @@ FUNCTION Triangle triangleOf(Corner a, Corner first, Corner second) {
 FUNCTION float nearAt(Triangle t, ivec2 at) {
   precise vec2 from = vec2(at - t.edges[0].from);
   precise float near = t.near + (t.acrossNear * from.x + t.downNear * from.y);
-  return clamp(near, t.least, t.most);
+  return clamp(near, t.minimum, t.maximum);
 }
 
 // Returns the depth key of a sample. Nearer samples have smaller keys; empty samples have the largest key.
@@ -117,14 +117,14 @@ FUNCTION int edgeAt(Edge edge, ivec2 at) {
 // x l + bias) / 16). It is exact in 32 bits if it is below 2^30, even if partial products wrap around. Float arithmetic
 // is precise enough to decide whether that holds.
 FUNCTION int edgeOverSixteen(Edge edge, ivec2 at) {
-  const int most = 0x3fffffff;
+  const int maximum = 0x3fffffff;
   ivec2 to = at - edge.from;
   ivec2 high = ivec2(to.x >> 4, to.y >> 4), low = ivec2(to.x & 15, to.y & 15);
   precise float about = float(edge.step_.y) * float(high.x) - float(edge.step_.x) * float(high.y);
   uint whole = uint(edge.step_.y) * uint(high.x) - uint(edge.step_.x) * uint(high.y);
   int sixteenth = int(whole + uint((edge.step_.y * low.x - edge.step_.x * low.y + edge.bias) >> 4));
-  if (about >= 536870912.0f) sixteenth = most;
-  if (about <= -536870912.0f) sixteenth = -most;
+  if (about >= 536870912.0f) sixteenth = maximum;
+  if (about <= -536870912.0f) sixteenth = -maximum;
   return sixteenth;
 }
 

@@ -83,7 +83,7 @@ void BallRaster::prepare() {
 void BallRaster::run(bool large, int pass, const Visibility& into, const MapPart& part) {
   const TargetVariant target = into.variant(into_, pass);
   const bool parallel = into.layout().parallel;
-  const unsigned parts = partsFor(into.size(), samples_);
+  const unsigned parts = workgroupsFor(into.size(), samples_);
   const int draws = static_cast<int>(balls_.size());
   int firstLarge = 0;
   for (std::size_t i = 0; i < balls_.size(); ++i) {
@@ -137,13 +137,13 @@ void BallRaster::drawNearest(const std::vector<const sim::Instances*>& balls,
   gl::barrier();
   run(false, 0, into, part);
   groups_.prepareLists(
-      counters_, {.counts = static_cast<int>(balls_.size()), .parts = partsFor(into.size(), samples_)},
+      counters_, {.counts = static_cast<int>(balls_.size()), .parts = workgroupsFor(into.size(), samples_)},
       largeGroups_);
   run(true, 0, into, part);
   gl::barrier();
 }
 
-void BallRaster::drawNumbers(const Visibility& into) {
+void BallRaster::drawIds(const Visibility& into) {
   if (balls_.empty() || into.layout() == SampleLayout::wholes) return;
   run(false, 1, into);
   run(true, 1, into);

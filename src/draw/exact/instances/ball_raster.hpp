@@ -28,7 +28,7 @@ class BallRaster {
   void drawNearest(const std::vector<const sim::Instances*>& balls, const std::vector<unsigned>& firstIds,
                    const Visibility& into, const MapPart& part = {});
   /// Writes the ids of the nearest balls. Call after all objects have written their keys.
-  void drawNumbers(const Visibility& into);
+  void drawIds(const Visibility& into);
 
  private:
   [[nodiscard]] bool anyMedium() const { return into_ != Into::sunMap && mediumPixels_ > smallPixels_; }

@@ -54,7 +54,7 @@ struct SmallCopies {
   };
   RasterCopies copies;
   gl::Uniform<"draw_", int> draw;
-  gl::Uniform<"mostCopies", int> mostCopies;
+  gl::Uniform<"copyLimit", int> copyLimit;
   gl::Uniform<"parts", int> parts;
   gl::Uniform<"listRoom", int> listRoom;
   gl::Uniform<"smallPixels", int> smallPixels;
@@ -131,9 +131,9 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
     const int capacity = copies_[i].instances->capacity;
     all += capacity;
     const unsigned triangles = std::max(copies_[i].triangles(), 1U);
-    const int most = static_cast<int>(std::max(pairs_ / triangles, 1U));
-    listRoom_ = std::max(listRoom_, static_cast<std::size_t>(std::min(most, capacity)) * triangles);
-    for (int skipped = 0; skipped < capacity; skipped += most) parts_.push_back({i, skipped, most});
+    const int maximum = static_cast<int>(std::max(pairs_ / triangles, 1U));
+    listRoom_ = std::max(listRoom_, static_cast<std::size_t>(std::min(maximum, capacity)) * triangles);
+    for (int skipped = 0; skipped < capacity; skipped += maximum) parts_.push_back({i, skipped, maximum});
   }
   const auto words = [](std::size_t count) { return count * sizeof(GLuint); };
   const std::size_t parts = parts_.size();
@@ -161,7 +161,7 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
                  {.first = static_cast<int>(part),
                   .firstCount = static_cast<int>(parts_[part].draw),
                   .skipped = static_cast<unsigned>(parts_[part].skipped),
-                  .most = static_cast<unsigned>(parts_[part].most),
+                  .maximum = static_cast<unsigned>(parts_[part].maximum),
                   .times = copies_[parts_[part].draw].triangles(),
                   .each = groupPairs},
                  smallGroups_);
@@ -170,7 +170,7 @@ void CopyRaster::list(const std::vector<Copies>& copies, const Visibility& into)
 void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, const MapPart& map) {
   const Part& part = parts_[number];
   const Copies& copies = copies_[part.draw];
-  const unsigned shares = partsFor(into.size(), samples_);
+  const unsigned shares = workgroupsFor(into.size(), samples_);
   const CopyVariant variant{.target = into.variant(into_, pass == Pass::numbers ? 1 : 0),
                             .parallel = into.layout().parallel,
                             .adds = pass == Pass::light};
@@ -188,7 +188,7 @@ void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, 
   GroupCounts::dispatch(copyKernels_.of({.copies = variant, .lanes = laneVariant()}), smallGroups_, number,
                         {.copies = raster,
                          .draw = static_cast<int>(part.draw),
-                         .mostCopies = part.most,
+                         .copyLimit = part.maximum,
                          .parts = static_cast<int>(parts_.size()),
                          .listRoom = static_cast<int>(listRoom_),
                          .smallPixels = smallPixels_,
@@ -228,7 +228,7 @@ void CopyRaster::drawNearest(const std::vector<Copies>& copies, const std::vecto
   run(Pass::nearest, into, map);
 }
 
-void CopyRaster::drawNumbers(const Visibility& into) {
+void CopyRaster::drawIds(const Visibility& into) {
   if (!copies_.empty() && into.layout() != SampleLayout::wholes) run(Pass::numbers, into, {});
 }
 

@@ -43,7 +43,7 @@ class CopyRaster {
   void drawNearest(const std::vector<Copies>& copies, const std::vector<unsigned>& firstIds,
                    const Visibility& into, const MapPart& map = {});
   /// Writes the ids of the nearest copies. Call after all objects have written their keys.
-  void drawNumbers(const Visibility& into);
+  void drawIds(const Visibility& into);
   /// Adds the light of additive copies to the sums of GlowRaster, as far as the copies are in front of the
   /// visible surfaces.
   void addLight(const std::vector<Copies>& copies, const Visibility& into, const gl::Buffer& sums);
@@ -56,7 +56,7 @@ class CopyRaster {
   struct Part {
     std::size_t draw;
     int skipped;
-    int most;
+    int maximum;
   };
   void list(const std::vector<Copies>& copies, const Visibility& into);
   void run(Pass pass, const Visibility& into, const MapPart& map);

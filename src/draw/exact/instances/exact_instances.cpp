@@ -58,9 +58,10 @@ bool isMesh(const sim::Instances& instances) {
 unsigned after(unsigned firstId, std::uint64_t count) {
   if (firstId + count > lastId)
     fail(ExitCode::device,
-         "the exact rasterizer numbers {} triangles and balls of one picture, and these are {}; set "
-         "\"rasterizer\" to \"driver\"",
-         lastId, firstId + count);
+         "the picture has {} triangles and balls, but the exact rasterizer supports at most {}; reduce "
+         "them, or "
+         "set \"rasterizer\" to \"driver\"",
+         firstId + count, lastId);
   return static_cast<unsigned>(firstId + count);
 }
 
@@ -124,9 +125,9 @@ void ExactInstances::drawNearest(const Visibility& picture) {
   copyRaster_.drawNearest(copies_, copyIds_, picture);
 }
 
-void ExactInstances::drawNumbers(const Visibility& picture) {
-  ballRaster_.drawNumbers(picture);
-  copyRaster_.drawNumbers(picture);
+void ExactInstances::drawIds(const Visibility& picture) {
+  ballRaster_.drawIds(picture);
+  copyRaster_.drawIds(picture);
 }
 
 std::vector<ExactInstances::Numbered> ExactInstances::numbered() const {
@@ -169,12 +170,12 @@ bool ExactInstances::anyMirrors(const sim::Drawables& drawables) {
                      });
 }
 
-void ExactInstances::shade(const ShadedTiles& tiles, int firstThing, const SceneLight& light) {
+void ExactInstances::shade(const ShadedTiles& tiles, int firstObject, const SceneLight& light) {
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const sim::Instances& balls = *balls_[i];
     if (!shades(balls)) continue;
     const float radius = shapes_.of(balls).radius();
-    tiles.shade(firstThing + static_cast<int>(i), ballShading_.of(variant(balls)),
+    tiles.shade(firstObject + static_cast<int>(i), ballShading_.of(variant(balls)),
                 ShadeBalls{.tile = {},
                            .light = light,
                            .source = instanceSource(balls, radius, minPixelsOf(balls), ballIds_[i]),
@@ -184,7 +185,7 @@ void ExactInstances::shade(const ShadedTiles& tiles, int firstThing, const Scene
   for (std::size_t i = 0; i < copies_.size(); ++i) {
     const sim::Instances& copies = *copies_[i].instances;
     if (!shades(copies)) continue;
-    tiles.shade(firstThing + static_cast<int>(balls_.size() + i),
+    tiles.shade(firstObject + static_cast<int>(balls_.size() + i),
                 copyShading_.of({.instance = variant(copies),
                                  .edges = shown_ == shownOverlay(scene::Overlay::wireframe)}),
                 ShadeCopies{.tile = {},

@@ -44,7 +44,7 @@ class ExactInstances {
   /// Writes the depth keys. Must run before any object writes ids.
   void drawNearest(const Visibility& picture);
   /// Writes the ids. Call after all objects have written their keys.
-  void drawNumbers(const Visibility& picture);
+  void drawIds(const Visibility& picture);
   /// Appends the drawn objects with their id ranges to `things`.
   void describe(std::vector<DrawnThing>& things) const;
   struct Numbered {
@@ -52,9 +52,9 @@ class ExactInstances {
     unsigned firstId, each;  ///< firstId: id of the first instance; each: number of ids per instance
   };
   [[nodiscard]] std::vector<Numbered> numbered() const;
-  /// Adds the light of opaque instances. The draws have the object indices firstThing, firstThing + 1, ...
-  /// in the tile lists.
-  void shade(const ShadedTiles& tiles, int firstThing, const SceneLight& light);
+  /// Adds the light of opaque instances. The draws have the object indices firstObject, firstObject + 1,
+  /// ... in the tile lists.
+  void shade(const ShadedTiles& tiles, int firstObject, const SceneLight& light);
   /// True if any instances are glows, which add light. The ground must then also be written into the depth
   /// keys.
   [[nodiscard]] static bool anyAdd(const sim::Drawables& drawables);

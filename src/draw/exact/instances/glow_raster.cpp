@@ -71,7 +71,7 @@ void GlowRaster::prepare(glm::ivec2 size) {
 }
 
 void GlowRaster::run(bool large, const Visibility& picture) {
-  const unsigned parts = partsFor(picture.size(), picture.samples());
+  const unsigned parts = workgroupsFor(picture.size(), picture.samples());
   int firstLarge = 0;
   for (std::size_t i = 0; i < glows_.size(); ++i) {
     const sim::Instances& glows = *glows_[i];
@@ -124,7 +124,8 @@ void GlowRaster::draw(const std::vector<const sim::Instances*>& glows, const Vis
   gl::barrier();
   run(false, picture);
   groups_.prepareLists(
-      counters_, {.counts = static_cast<int>(count), .parts = partsFor(picture.size(), picture.samples())},
+      counters_,
+      {.counts = static_cast<int>(count), .parts = workgroupsFor(picture.size(), picture.samples())},
       largeGroups_);
   run(true, picture);
 }

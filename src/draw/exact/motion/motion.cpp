@@ -108,7 +108,7 @@ void Motion::keep(const sim::Drawables& before) {
     moving.indices = surface.indexCount;
     moving.still = surface.still;
     moving.model = surface.model;
-    moving.jumped = surface.jumped;
+    moving.lastJumpSeconds = surface.lastJumpSeconds;
     if (moving.count == 0) continue;
     moving.before.makeRoom(moving.count);
     toWorld(surface, moving.before);
@@ -124,7 +124,7 @@ void Motion::keep(const sim::Drawables& before) {
     copy(instances, moving.before);
   }
   places_ = before.places;
-  lagging_ = before.lagging;
+  dampedCamera_ = before.dampedCamera;
   gl::barrier();
 }
 
@@ -147,7 +147,7 @@ void Motion::begin(const sim::Drawables& now, double seconds, double at) {
                       moving.indices == surface.indexCount;
     const bool stays = surface.still != 0 && surface.still == moving.still && surface.model == moving.model;
     moving.moves = same && !stays;
-    moving.jump = same ? jumpAt(moving.jumped, surface.jumped) : std::nullopt;
+    moving.jump = same ? jumpAt(moving.lastJumpSeconds, surface.lastJumpSeconds) : std::nullopt;
     if (!moving.moves) continue;
     moving.now.makeRoom(moving.count);
     moving.shown.makeRoom(moving.count);
@@ -195,10 +195,10 @@ void Motion::place(sim::Instances& instances, Moving& moving, float part) {
   instances.velocities = &moving.shown.secondView;
 }
 
-Motion::Way Motion::wayOf(std::size_t surface) const {
+Motion::Displacement Motion::displacementOf(std::size_t surface) const {
   const Moving& moving = surfaces_.at(surface);
   if (!moving.moves || moving.jump) return {};
-  Way way{moving.before.first.readAll<glm::vec4>(), moving.now.first.readAll<glm::vec4>()};
+  Displacement way{moving.before.first.readAll<glm::vec4>(), moving.now.first.readAll<glm::vec4>()};
   for (auto* places : {&way.before, &way.now}) places->resize(static_cast<std::size_t>(moving.count));
   return way;
 }
@@ -218,18 +218,18 @@ sim::Drawables Motion::cameraAt(float part) const {
   SIMREEL_CHECK(drawables_ != nullptr);
   sim::Drawables camera;
   camera.places = drawables_->places;
-  camera.lagging = drawables_->lagging;
+  camera.dampedCamera = drawables_->dampedCamera;
   camera.paths = drawables_->paths;
   for (std::size_t i = 0; i < std::min(places_.size(), camera.places.size()); ++i) {
     sim::Place& place = camera.places[i];
-    const std::optional<float> jump = jumpAt(places_[i].jumped, place.jumped);
+    const std::optional<float> jump = jumpAt(places_[i].lastJumpSeconds, place.lastJumpSeconds);
     if (!jump)
       place.middle = glm::mix(places_[i].middle, place.middle, part);
     else if (part < *jump)
       place.middle = places_[i].middle;
   }
-  for (std::size_t i = 0; i < std::min(lagging_.size(), camera.lagging.size()); ++i)
-    camera.lagging[i] = glm::mix(lagging_[i], camera.lagging[i], part);
+  for (std::size_t i = 0; i < std::min(dampedCamera_.size(), camera.dampedCamera.size()); ++i)
+    camera.dampedCamera[i] = glm::mix(dampedCamera_[i], camera.dampedCamera[i], part);
   return camera;
 }
 
@@ -244,7 +244,7 @@ const sim::Drawables& Motion::between(float part) {
     if (instances_[i].moves) place(shown_.instances[i], instances_[i], part);
   const sim::Drawables camera = cameraAt(part);
   shown_.places = camera.places;
-  shown_.lagging = camera.lagging;
+  shown_.dampedCamera = camera.dampedCamera;
   gl::barrier();
   return shown_;
 }

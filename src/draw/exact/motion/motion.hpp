@@ -39,12 +39,12 @@ class Motion {
 
   /// Previous and current world positions (m) of a surface's vertices, in xyz. Empty if the surface does
   /// not move or has jumped.
-  struct Way {
+  struct Displacement {
     std::vector<glm::vec4> before, now;
   };
   /// Returns the positions of surface i of the frame. Call after begin(). Waits for the GPU, as
   /// velocitiesOf() does.
-  [[nodiscard]] Way wayOf(std::size_t surface) const;
+  [[nodiscard]] Displacement displacementOf(std::size_t surface) const;
   /// Returns the velocities (xyz, m/s) of instances i of the frame.
   [[nodiscard]] std::vector<glm::vec4> velocitiesOf(std::size_t instances);
   /// Returns the drawables that draw::viewAt() needs for the camera, at any interpolation parameter; -0.5
@@ -66,7 +66,7 @@ class Motion {
     glm::mat4 model{1.0F};
     bool moves = false;              ///< true if the object moves between the two frames, as far as the CPU
                                      ///< can tell
-    double jumped = 0;               ///< time (s) at which the object last jumped
+    double lastJumpSeconds = 0;      ///< time (s) at which the object last jumped
     std::optional<float> jump = {};  ///< interpolation parameter of a jump between the two frames, if there
                                      ///< is one
     Elements before, now, shown;
@@ -89,7 +89,7 @@ class Motion {
   std::vector<Moving> surfaces_, instances_;
   std::vector<sim::Place> places_;  ///< camera targets in the previous frame; lagging_ holds the targets
                                     ///< that follow with a delay
-  std::vector<glm::vec3> lagging_;
+  std::vector<glm::vec3> dampedCamera_;
   Elements copied_;                            ///< copy of the velocities that velocitiesOf() reads back
   const sim::Drawables* drawables_ = nullptr;  ///< objects of the current frame
   sim::Drawables shown_;

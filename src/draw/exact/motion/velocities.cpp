@@ -11,7 +11,7 @@
 namespace simreel::draw {
 
 void Velocities::addSurface(const sim::Surface& surface, std::size_t i, unsigned firstId, int triangles) {
-  Motion::Way way = motion_.wayOf(i);
+  Motion::Displacement way = motion_.displacementOf(i);
   if (way.now.empty()) return;
   meshes_.push_back({firstId, firstId + static_cast<unsigned>(triangles), rowOf(surface),
                      surface.indices->readAll<unsigned>(), std::move(way)});
@@ -49,7 +49,7 @@ glm::vec3 Velocities::onMesh(const Mesh& mesh, unsigned triangle, const glm::dve
     now[k] = glm::dvec3(mesh.way.now[vertex]);
     shown[k] = before[k] + part_ * (now[k] - before[k]);
   }
-  const glm::dvec3 shares = sharesOf(shown[0], shown[1], shown[2], place);
+  const glm::dvec3 shares = barycentricWeights(shown[0], shown[1], shown[2], place);
   glm::dvec3 way(0);
   for (int k = 0; k < 3; ++k) {
     const auto corner = static_cast<std::size_t>(k);
@@ -59,8 +59,8 @@ glm::vec3 Velocities::onMesh(const Mesh& mesh, unsigned triangle, const glm::dve
 }
 
 // Solves place - a = v (b - a) + w (c - a) for v and w by least squares.
-glm::dvec3 sharesOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                    const glm::dvec3& place) {
+glm::dvec3 barycentricWeights(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                              const glm::dvec3& place) {
   const glm::dvec3 ab = b - a, ac = c - a, ap = place - a;
   const double bb = glm::dot(ab, ab), bc = glm::dot(ab, ac), cc = glm::dot(ac, ac);
   const double pb = glm::dot(ap, ab), pc = glm::dot(ap, ac);

@@ -33,7 +33,7 @@ class Velocities {
     glm::ivec2 row{0};  ///< for grids: triangles per row, and vertices from one row to the next; 0 for
                         ///< meshes with indices
     std::vector<unsigned> indices;
-    Motion::Way way;
+    Motion::Displacement way;
   };
   struct Cloud {
     unsigned firstId = 0, each = 1;
@@ -50,7 +50,7 @@ class Velocities {
 /// Returns the barycentric weights of a point of the triangle (a, b, c): the point nearest to the
 /// projection of `place` onto the triangle's plane. Each weight is 0 to 1, and their sum is 1. For
 /// degenerate triangles, returns the weights of the first corner.
-[[nodiscard]] glm::dvec3 sharesOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                                  const glm::dvec3& place);
+[[nodiscard]] glm::dvec3 barycentricWeights(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                                            const glm::dvec3& place);
 
 }  // namespace simreel::draw

@@ -56,15 +56,16 @@ struct SmoothArcs {
   gl::Out<"OpennessBlock"> openness = {};
 };
 
-Occlusion::Kept::Kept(const std::string& label, GLenum format, std::size_t bytes, glm::ivec2 size)
+Occlusion::HalfResolutionBuffer::HalfResolutionBuffer(const std::string& label, GLenum format,
+                                                      std::size_t bytes, glm::ivec2 size)
     : buffer(label, static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * bytes),
       view(gl::Texture::view(label, format, buffer, bytes)) {}
 
-glm::vec3 reachOnPicture(const shader::ExactView& view, float radius) {
+glm::vec3 searchLimits(const shader::ExactView& view, float radius) {
   // The max distance in the picture is a third of the picture height, so that the result does not depend on
   // the resolution.
-  const float most = static_cast<float>(view.size.y) / 6.0F;
-  return {radius, most, 0.5F / glm::length(glm::vec3(view.rayAcross))};
+  const float maximum = static_cast<float>(view.size.y) / 6.0F;
+  return {radius, maximum, 0.5F / glm::length(glm::vec3(view.rayAcross))};
 }
 
 Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground) : half_((size + 1) / 2) {
@@ -78,10 +79,10 @@ Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground)
       none, {.seen = {.parallel = parallel, .rows = rows}, .slices = slices, .steps = steps});
   across_ = gl::Kernel<SmoothArcs>(none, {.seen = {.parallel = parallel, .rows = rows}, .down = false});
   down_ = gl::Kernel<SmoothArcs>(none, {.seen = {.parallel = parallel, .rows = rows}, .down = true});
-  nearness_ = Kept("nearness", GL_R32F, sizeof(float), half_);
-  arcs_ = Kept("light that is lost", GL_RG32F, sizeof(glm::vec2), half_);
-  smooth_ = Kept("light that is lost, along rows", GL_RG32F, sizeof(glm::vec2), half_);
-  openness_ = Kept("openness", GL_RG32F, sizeof(glm::vec2), half_);
+  nearness_ = HalfResolutionBuffer("nearness", GL_R32F, sizeof(float), half_);
+  arcs_ = HalfResolutionBuffer("light that is lost", GL_RG32F, sizeof(glm::vec2), half_);
+  smooth_ = HalfResolutionBuffer("light that is lost, along rows", GL_RG32F, sizeof(glm::vec2), half_);
+  openness_ = HalfResolutionBuffer("openness", GL_RG32F, sizeof(glm::vec2), half_);
 }
 
 void Occlusion::add(const Visibility& visibility, const shader::ExactView& view) const {
@@ -96,7 +97,7 @@ void Occlusion::find(const shader::ExactView& view, float radius) const {
   const int each = rowsAtOnce();
   const glm::ivec2 inColumns = {half_.x, (half_.y + each - 1) / each};
   horizons_.dispatch(
-      inColumns, {.reach = reachOnPicture(view, radius), .nearness = nearness_.view, .arcs = arcs_.buffer});
+      inColumns, {.reach = searchLimits(view, radius), .nearness = nearness_.view, .arcs = arcs_.buffer});
   across_.dispatch({(half_.x + each - 1) / each, half_.y},
                    {.nearness = nearness_.view, .arcs = arcs_.view, .smooth = smooth_.buffer});
   down_.dispatch(inColumns,

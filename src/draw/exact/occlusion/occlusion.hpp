@@ -47,9 +47,9 @@ class Occlusion {
  private:
   /// Buffer with one value per half-resolution pixel. Kernels write it as a storage block, because software
   /// drivers write images more slowly.
-  struct Kept {
-    Kept() = default;
-    Kept(const std::string& label, GLenum format, std::size_t bytes, glm::ivec2 size);
+  struct HalfResolutionBuffer {
+    HalfResolutionBuffer() = default;
+    HalfResolutionBuffer(const std::string& label, GLenum format, std::size_t bytes, glm::ivec2 size);
     gl::Buffer buffer;
     gl::Texture view;
   };
@@ -57,11 +57,11 @@ class Occlusion {
   gl::Kernel<HalfNearness> nearest_;
   gl::Kernel<Horizons> horizons_;
   gl::Kernel<SmoothArcs> across_, down_;
-  Kept nearness_, arcs_, smooth_, openness_;
+  HalfResolutionBuffer nearness_, arcs_, smooth_, openness_;
 };
 
 /// Returns the uniforms of Occlusion::find(). x: max distance of occluders (m). y: max distance in the
 /// picture (half-resolution pixels). z: half-resolution pixels per metre at depth 1.
-[[nodiscard]] glm::vec3 reachOnPicture(const shader::ExactView& view, float radius);
+[[nodiscard]] glm::vec3 searchLimits(const shader::ExactView& view, float radius);
 
 }  // namespace simreel::draw

@@ -32,7 +32,7 @@ class LayersPass final : public FramePass {
   [[nodiscard]] std::optional<CameraWay> cameraWayNow() const;
 
   std::optional<LayerKeeper> visible_;
-  std::optional<ShareKeeper> shares_;
+  std::optional<CoverageCounter> shares_;
   std::array<gl::Texture, shownLayers.size()> shown_;
 };
 
@@ -103,27 +103,27 @@ void LayersPass::keepShown() {
 std::optional<Velocities> LayersPass::velocitiesNow() const {
   const ExactScene::Exposure& exposure = *f.asked.exposure;
   if (exposure.motion == nullptr || (!wants(Layer::velocity) && !wants(Layer::vector))) return std::nullopt;
-  const sim::Drawables& there = *f.moment.drawables;
+  const sim::Drawables& atMoment = *f.moment.drawables;
   Velocities velocities(*exposure.motion, exposure.frameSeconds, exposure.part);
   const auto add = [&](const TriangleRaster::Drawn& drawn) {
     const auto same = [&](const sim::Surface& surface) {
       return surface.positions == drawn.surface->positions && surface.indices == drawn.surface->indices &&
              surface.model == drawn.surface->model && surface.object == drawn.surface->object;
     };
-    const auto found = std::find_if(there.surfaces.begin(), there.surfaces.end(), same);
-    if (found != there.surfaces.end())
-      velocities.addSurface(*found, static_cast<std::size_t>(found - there.surfaces.begin()), drawn.firstId,
-                            drawn.maxTriangles);
+    const auto found = std::find_if(atMoment.surfaces.begin(), atMoment.surfaces.end(), same);
+    if (found != atMoment.surfaces.end())
+      velocities.addSurface(*found, static_cast<std::size_t>(found - atMoment.surfaces.begin()),
+                            drawn.firstId, drawn.maxTriangles);
   };
   for (const TriangleRaster::Drawn& drawn : f.triangles.drawn()) add(drawn);
-  for (const TriangleRaster::Drawn& drawn : f.apart.drawn()) add(drawn);
+  for (const TriangleRaster::Drawn& drawn : f.transparent.drawn()) add(drawn);
   for (const ExactInstances::Numbered& drawn : f.instances.numbered()) {
     const auto same = [&](const sim::Instances& one) {
       return one.positions == drawn.instances->positions && one.object == drawn.instances->object;
     };
-    const auto found = std::find_if(there.instances.begin(), there.instances.end(), same);
-    if (found != there.instances.end())
-      velocities.addInstances(static_cast<std::size_t>(found - there.instances.begin()), drawn.firstId,
+    const auto found = std::find_if(atMoment.instances.begin(), atMoment.instances.end(), same);
+    if (found != atMoment.instances.end())
+      velocities.addInstances(static_cast<std::size_t>(found - atMoment.instances.begin()), drawn.firstId,
                               drawn.each);
   }
   return velocities;
@@ -136,9 +136,9 @@ std::optional<CameraWay> LayersPass::cameraWayNow() const {
   if (exposure.motion == nullptr || !wants(Layer::vector)) return std::nullopt;
   const scene::Camera& camera = f.scene.camera;
   const double seconds = exposure.frameSeconds;
-  const View now = viewAt(camera, f.moment.seconds, f.size, *f.moment.drawables, groundSeen(f.scene));
+  const View now = viewAt(camera, f.moment.seconds, f.size, *f.moment.drawables, visibleGround(f.scene));
   const View before = viewAt(camera, f.moment.seconds - seconds, f.size,
-                             exposure.motion->cameraAt(exposure.part - 1), groundSeen(f.scene));
+                             exposure.motion->cameraAt(exposure.part - 1), visibleGround(f.scene));
   return CameraWay{exactView(now, camera, f.size), exactView(before, camera, f.size), seconds};
 }
 

@@ -27,7 +27,7 @@ class MirrorsPass final : public FramePass {
       return std::any_of(surfaces.begin(), surfaces.end(), mirror);
     };
     f.mirrors = groundMirrors(f) || ExactInstances::anyMirrors(f.drawables) || any(f.drawables.surfaces) ||
-                any(f.apart.cut());
+                any(f.transparent.cut());
     if (!f.mirrors) return;
     if (!f.reflections) f.reflections.emplace(f.size, f.ground, isParallel(f.scene.camera));
   }

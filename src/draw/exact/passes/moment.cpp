@@ -31,9 +31,9 @@ class ThingsPass final : public FramePass {
     sayFinishes();
     overlaid_.apply(f.scene, f.drawables);
     if (!f.traces()) f.glass.extractFrom(f.drawables.surfaces);
-    f.apart.extractFrom(f.drawables.surfaces);
-    if (f.apart.anyBlended()) beginLayers();
-    f.seen = viewAt(f.scene.camera, f.moment.seconds, f.size, f.drawables, groundSeen(f.scene));
+    f.transparent.extractFrom(f.drawables.surfaces);
+    if (f.transparent.anyBlended()) beginLayers();
+    f.seen = viewAt(f.scene.camera, f.moment.seconds, f.size, f.drawables, visibleGround(f.scene));
     f.values = exactView(f.seen, f.scene.camera, f.size);
     f.tellView();
     f.view.bindUniform(viewBinding, 0, sizeof f.values);
@@ -77,7 +77,7 @@ class ViewPass final : public FramePass {
     constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
     f.values = exactView(f.seen, f.scene.camera, f.size, f.point);
     f.values.rows = {0, 0};  // no band of the view has been drawn yet
-    if (f.rays) f.rays->seeThrough(f.number, f.views);
+    if (f.rays) f.rays->selectLensPoint(f.number, f.views);
     if (!ShadedTiles::emptiesLight()) glClearTexImage(f.light.name(), 0, GL_RGBA, GL_FLOAT, none.data());
   }
 };
@@ -90,7 +90,7 @@ std::unique_ptr<Pass> makeSkins(ExactFrame& frame) {
 std::unique_ptr<Pass> makeThings(ExactFrame& frame) {
   return std::make_unique<ThingsPass>(frame);
 }
-std::unique_ptr<Pass> makeJoined(ExactFrame& frame) {
+std::unique_ptr<Pass> makeJoinedSurfaces(ExactFrame& frame) {
   return std::make_unique<JoinedPass>(frame);
 }
 std::unique_ptr<Pass> makeView(ExactFrame& frame) {

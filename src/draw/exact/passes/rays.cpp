@@ -14,8 +14,8 @@ class RayScenePass final : public FramePass {
     const double stops = f.scene.render.exposure.at(f.moment.seconds);
     f.white = static_cast<float>(ieee::exp2(-stops));
     sim::Drawables met = f.drawables;
-    met.surfaces.insert(met.surfaces.end(), f.apart.cut().begin(), f.apart.cut().end());
-    met.surfaces.insert(met.surfaces.end(), f.apart.blended().begin(), f.apart.blended().end());
+    met.surfaces.insert(met.surfaces.end(), f.transparent.cut().begin(), f.transparent.cut().end());
+    met.surfaces.insert(met.surfaces.end(), f.transparent.blended().begin(), f.transparent.blended().end());
     f.rays->build(met);
   }
 };

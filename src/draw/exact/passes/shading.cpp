@@ -19,7 +19,7 @@ class BlendedPass final : public FramePass {
   }
   /// Restores only the band's data. The light has already been added, so the output goes to an unused
   /// texture.
-  void again() override {
+  void restoreBand() override {
     if (!unused_)
       unused_ = gl::Texture::image("light of layers, once more", GL_RGBA32F, f.size.x, f.size.y);
     add(unused_, {});
@@ -27,7 +27,7 @@ class BlendedPass final : public FramePass {
 
  private:
   void add(const gl::Texture& into, const std::function<void(const Visibility&)>& trace) {
-    f.apart.addLayers(f.visibility, 0, f.skins, f.sceneLight(into), into, trace);
+    f.transparent.addLayers(f.visibility, 0, f.skins, f.sceneLight(into), into, trace);
   }
 
   gl::Texture unused_;

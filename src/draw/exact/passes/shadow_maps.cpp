@@ -19,7 +19,7 @@ class LampMapsPass final : public FramePass {
   using FramePass::FramePass;
   [[nodiscard]] bool on() const override { return f.lampMaps.has_value(); }
   void run() override {
-    f.lampMaps->draw(castingOf(f), f.lamps, f.instances, &f.apart);
+    f.lampMaps->draw(castingOf(f), f.lamps, f.instances, &f.transparent);
     f.view.bindUniform(viewBinding, 0, sizeof f.values);
   }
 };
@@ -36,7 +36,8 @@ class SunMapPass final : public FramePass {
     for (const sim::Surface& surface : drawables.surfaces)
       if (castsShadow(surface)) casting.push_back(&surface);
     sim::Drawables bounding = drawables;
-    bounding.surfaces.insert(bounding.surfaces.end(), f.apart.casting().begin(), f.apart.casting().end());
+    bounding.surfaces.insert(bounding.surfaces.end(), f.transparent.casting().begin(),
+                             f.transparent.casting().end());
     f.shadow.fit(bounding, [&](const gl::Buffer& bounds) { f.instances.growBounds(drawables, bounds); });
     f.shadow.bind();
     f.sunMap->clear();
@@ -44,7 +45,7 @@ class SunMapPass final : public FramePass {
                          // (glsl/draw/exact/shadows/sun_map.glsl)
     casters_->number(casting);
     casters_->draw(*f.sunMap, part);
-    f.apart.castSun(*f.sunMap, part);
+    f.transparent.castSun(*f.sunMap, part);
     f.instances.castShadows(drawables, *f.sunMap, part);
   }
 

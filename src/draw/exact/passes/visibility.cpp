@@ -14,13 +14,13 @@ class VisibilityPass final : public FramePass {
     gl::barrier();  // Waits because another pass may still read the previous band.
     f.visibility.clear();
     f.instances.drawNearest(f.visibility);  // Must run before the triangles write their ids.
-    f.apart.drawNearest(f.visibility);
+    f.transparent.drawNearest(f.visibility);
     if (f.joins)
       f.triangles.drawJoined(f.visibility, f.joined);
     else
       f.triangles.draw(f.visibility);
-    f.apart.drawNumbers(f.visibility);
-    f.instances.drawNumbers(f.visibility);
+    f.transparent.drawIds(f.visibility);
+    f.instances.drawIds(f.visibility);
   }
 
  private:
@@ -35,7 +35,7 @@ class VisibilityPass final : public FramePass {
       f.firstIds.push_back(together.front().firstId);
       next = together.back().firstId + static_cast<unsigned>(together.back().maxTriangles);
     }
-    next = f.apart.number(next, f.firstIds);
+    next = f.transparent.number(next, f.firstIds);
     f.instances.number(f.drawables, next, f.firstIds);
   }
   /// Groups the surfaces for shading. Consecutive plain surfaces among joined surfaces form one group.
@@ -63,7 +63,7 @@ class TilesPass final : public FramePass {
   void run() override {
     list(tiles_, ExactInstances::anyAdd(f.drawables) || f.keepsLayers() || f.layered || f.glass.any());
   }
-  void again() override {
+  void restoreBand() override {
     if (!again_) again_.emplace(f.visibility, f.ground, f.shadow.on(), false);
     list(*again_, ExactInstances::anyAdd(f.drawables) || f.layered || f.glass.any());
   }

@@ -44,7 +44,7 @@ struct SolidOrder {
   gl::In<"BoundsBlock"> bounds;
   gl::In<"vertexWords"> words;
   gl::In<"ballLooks"> ballLooks;
-  gl::In<"looks"> looks;
+  gl::In<"materials"> materials;
   gl::Uniform<"count", int> count;
   gl::Out<"SortedBlock"> sorted;
   gl::Out<"IdBlock"> ids;
@@ -67,7 +67,7 @@ struct SolidNodes {
 namespace {
 
 /// Min number of items per leaf. A tree with fewer items has one smaller leaf.
-constexpr int leastOfLeaf = 2;
+constexpr int minOfLeaf = 2;
 constexpr int boundsInvocations = 4096;
 /// Number of significant key bits in the first (low) and in the second (high) word of a sort record, as in
 /// keys.comp.
@@ -104,7 +104,7 @@ void Hierarchy::build(const Solids& solids, const gl::Buffer& bounds) {
   if (count_ == 0) return;
   makeKernels();
   const auto count = static_cast<std::size_t>(count_);
-  leaves_ = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(count_ / leastOfLeaf, 1))));
+  leaves_ = static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(count_ / minOfLeaf, 1))));
   if (room_ < count_) {
     sort_.emplace(of_ == Of::balls ? "balls that rays meet" : "triangles that rays meet", count_);
     room_ = count_;
@@ -123,7 +123,7 @@ void Hierarchy::build(const Solids& solids, const gl::Buffer& bounds) {
                                    .bounds = bounds,
                                    .words = orNone(solids.words),
                                    .ballLooks = orNone(solids.ballLooks),
-                                   .looks = orNone(solids.looks),
+                                   .materials = orNone(solids.materials),
                                    .count = count_,
                                    .sorted = sorted_,
                                    .ids = ids_});

@@ -27,7 +27,7 @@ class Hierarchy {
     const gl::Texture* words = nullptr;    ///< vertex data of triangles; the last word of each vertex is
                                            ///< the owner, an index of the material table
     const gl::Texture* ballLooks = nullptr;
-    const gl::Texture* looks = nullptr;
+    const gl::Texture* materials = nullptr;
   };
   explicit Hierarchy(Of of) : of_(of) {}
 

@@ -26,12 +26,12 @@ void RayEmitters::add(const gl::Buffer& places, const gl::Buffer& corners, int f
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   corners.read(3 * static_cast<std::size_t>(first) * sizeof(std::uint32_t),
                std::as_writable_bytes(std::span(vertices)));
-  const auto [least, most] = std::minmax_element(vertices.begin(), vertices.end());
-  const std::size_t low = *least;
-  std::vector<glm::vec4> there(*most - low + 1);
-  places.read(low * sizeof(glm::vec4), std::as_writable_bytes(std::span(there)));
+  const auto [minimum, maximum] = std::minmax_element(vertices.begin(), vertices.end());
+  const std::size_t low = *minimum;
+  std::vector<glm::vec4> positions(*maximum - low + 1);
+  places.read(low * sizeof(glm::vec4), std::as_writable_bytes(std::span(positions)));
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const auto corner = [&](std::size_t k) { return glm::dvec4(there[vertices[3 * i + k] - low]); };
+    const auto corner = [&](std::size_t k) { return glm::dvec4(positions[vertices[3 * i + k] - low]); };
     const glm::dvec4 a = corner(0), b = corner(1), c = corner(2);
     if (std::min({a.w, b.w, c.w}) <= 0) continue;
     const glm::dvec3 across = glm::cross(glm::dvec3(b - a), glm::dvec3(c - a));

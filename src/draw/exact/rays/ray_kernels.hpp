@@ -7,7 +7,7 @@ namespace simreel::draw {
 
 /// Shader inputs of looks.glsl, solid_words.glsl, lays.glsl and the material maps: materials of triangles.
 struct RayLookFields {
-  gl::In<"looks"> looks;
+  gl::In<"materials"> materials;
   gl::In<"corners"> corners;
   gl::In<"vertexWords"> words;
   gl::In<"lays"> lays;
@@ -70,7 +70,7 @@ struct TraceRays {
   gl::Ambient<"FrameBlock"> frame = {};
   SortedSolids solids;
   SolidTrees trees;
-  RayLookFields looks = {};
+  RayLookFields materials = {};
   gl::In<"BoundsBlock"> bounds;
   gl::In<"rays"> rays;
   gl::In<"goingOn"> list = {};

@@ -66,7 +66,7 @@ struct StartPaths {
   };
   RayPaths paths;
   PathLight light;
-  RayLookFields looks;
+  RayLookFields materials;
   EmitterFields emitters;
 };
 
@@ -81,7 +81,7 @@ struct GoOnPaths {
     gl::Flag<"GOES_ON"> goesOn;
   };
   RayPaths paths;
-  RayLookFields looks;
+  RayLookFields materials;
   SortedSolids solids;
   FoundFields found;
   gl::In<"rayHits"> hits;
@@ -105,7 +105,7 @@ struct BouncePaths {
   };
   RayPaths paths;
   PathLight light;
-  RayLookFields looks;
+  RayLookFields materials;
   SortedSolids solids;
   FoundFields found;
   EmitterFields emitters;
@@ -128,7 +128,7 @@ struct SumPaths {
   gl::Uniform<"firstSpot", int> firstSpot;
   gl::Uniform<"spotCount", int> spotCount;
   gl::Uniform<"sampleCount", int> sampleCount;
-  gl::Uniform<"most", float> most;
+  gl::Uniform<"maximum", float> maximum;
 };
 
 struct ResolveSpots {
@@ -155,7 +155,7 @@ constexpr int onwardRays = 2, nextRays = 3;  // onwardRays: kind of the ray that
                                              // that ray hits. Kinds 0 and 1 are the shadow rays that start
                                              // at the spot.
 /// Max number of successive reflections and refractions at clear surfaces per path.
-constexpr int mostClear = 24;
+constexpr int maxClear = 24;
 
 /// Returns the number of paths that are traced together. On software drivers the number is small, so that
 /// dispatches are short. On GPUs the paths take 740 MB. With only 2^18 paths, a large GPU would be idle for
@@ -166,12 +166,13 @@ int pathsAtOnce() {
 
 }  // namespace
 
-RayLight::RayLight(const Options& options, const Lighting& lighting, std::size_t samples, RayLooks looks)
+RayLight::RayLight(const Options& options, const Lighting& lighting, std::size_t samples,
+                   RayMaterials materials)
     : options_(options),
       shade_(lighting.variant.shade),
       start_(lighting.lights),
       bounce_(lighting.lights),
-      scene_(options.ground, std::move(looks)),
+      scene_(options.ground, std::move(materials)),
       raySamples_(options.raySamples) {
   reserve(spots_, spotView_, "places to be lit", 64 * samples, GL_RGBA32UI, 16);
   reserve(spotLight_, spotLightView_, "light of places", 16 * samples, GL_RGBA32F, 16);
@@ -184,10 +185,10 @@ RayLight::RayLight(const Options& options, const Lighting& lighting, std::size_t
           sizeof(GLuint));
   reserve(hits_, hitView_, "what rays meet", kinds * paths * 16, GL_RGBA32UI, 16);
   reserve(light_, lightView_, "light that rays bring", (kinds + sure) * paths * 16, GL_RGBA32F, 16);
-  seeThrough(0, 1);
+  selectLensPoint(0, 1);
 }
 
-void RayLight::seeThrough(int point, int points) {
+void RayLight::selectLensPoint(int point, int points) {
   raySamples_ = std::max(options_.raySamples / points, 1);
   const auto all = static_cast<unsigned>(raySamples_ * points);
   sampleMask_ = std::min(std::bit_ceil(all), 1024U) - 1U;
@@ -247,9 +248,9 @@ RayPaths RayLight::pathsOf(int firstSpot, int spots, int firstSample, int paths)
 
 /// Continues paths at clear surfaces until they hit another kind of surface. The order of the list depends
 /// on the device, but the result does not, because paths are independent.
-void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
+void RayLight::continuePaths(int firstSpot, int spots, int firstSample, int paths) {
   int going = paths;
-  for (int round = 0; round < mostClear && going > 0; ++round) {
+  for (int round = 0; round < maxClear && going > 0; ++round) {
     const auto now = static_cast<std::size_t>(round % 2);
     reserve(goingOn_[now], goingOnView_[now], "paths that go on",
             static_cast<std::size_t>(pathsAtOnce()) * sizeof(GLuint), GL_R32UI, sizeof(GLuint));
@@ -263,7 +264,7 @@ void RayLight::goOn(int firstSpot, int spots, int firstSample, int paths) {
              .raised = all.raised,
              .goesOn = round > 0})
         .dispatch(inRows(going), {.paths = pathsOf(firstSpot, spots, firstSample, paths),
-                                  .looks = scene_.lookFields(),
+                                  .materials = scene_.lookFields(),
                                   .solids = scene_.sorted(),
                                   .found = scene_.found(),
                                   .hits = hitView_,
@@ -290,11 +291,12 @@ void RayLight::follow(int firstSpot, int spots, int firstSample, int samples, fl
   const RayPaths here = pathsOf(firstSpot, spots, firstSample, paths);
   clearCounts();
   start_.of({.path = pathVariant(all), .openSun = options_.openSun})
-      .dispatch(inRows(paths),
-                {.paths = here, .light = {}, .looks = scene_.lookFields(), .emitters = scene_.emitters()});
+      .dispatch(
+          inRows(paths),
+          {.paths = here, .light = {}, .materials = scene_.lookFields(), .emitters = scene_.emitters()});
   traceLight(0, paths);
   scene_.trace(rayView_, hits_, onwardRays * paths, paths);
-  if (looks().anyGlass()) goOn(firstSpot, spots, firstSample, paths);
+  if (materials().anyGlass()) continuePaths(firstSpot, spots, firstSample, paths);
   clearCounts();
   bounce_
       .of({.path = pathVariant(all),
@@ -306,7 +308,7 @@ void RayLight::follow(int firstSpot, int spots, int firstSample, int samples, fl
            .raised = all.raised})
       .dispatch(inRows(paths), {.paths = here,
                                 .light = {},
-                                .looks = scene_.lookFields(),
+                                .materials = scene_.lookFields(),
                                 .solids = scene_.sorted(),
                                 .found = scene_.found(),
                                 .emitters = scene_.emitters(),
@@ -323,17 +325,17 @@ void RayLight::follow(int firstSpot, int spots, int firstSample, int samples, fl
                                 .firstSpot = firstSpot,
                                 .spotCount = spots,
                                 .sampleCount = samples,
-                                .most = mostOnward * white});
+                                .maximum = maxIndirect * white});
   if (gl::softwareDriver()) glFinish();
 }
 
 void RayLight::add(const Visibility& visibility, const gl::Texture& sums, int rows, float white) {
   gl::barrier();
   const int spots = listSpots(visibility, rows);
-  const int most = pathsAtOnce();
-  for (int first = 0; first < spots; first += most) {
-    const int count = std::min(most, spots - first);
-    const int together = std::clamp(most / count, 1, raySamples_);
+  const int maximum = pathsAtOnce();
+  for (int first = 0; first < spots; first += maximum) {
+    const int count = std::min(maximum, spots - first);
+    const int together = std::clamp(maximum / count, 1, raySamples_);
     for (int sample = 0; sample < raySamples_; sample += together)
       follow(first, count, sample, std::min(together, raySamples_ - sample), white);
   }

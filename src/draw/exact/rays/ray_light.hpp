@@ -24,9 +24,9 @@ class RayLight {
  public:
   /// Max indirect light per sample, relative to the light that the picture shows as white. The limit
   /// suppresses fireflies.
-  static constexpr float mostOnward = 10.0F;
+  static constexpr float maxIndirect = 10.0F;
   /// Max number of samples per band. Each sample needs 88 bytes.
-  static constexpr std::size_t mostSamples = std::size_t{1} << 20U;
+  static constexpr std::size_t sampleLimit = std::size_t{1} << 20U;
 
   struct Options {
     int raySamples = 64;  ///< number of light samples per pixel
@@ -34,14 +34,14 @@ class RayLight {
     bool openSun = false;  ///< true if no object casts a shadow in sunlight
   };
   /// `samples`: number of samples per band.
-  RayLight(const Options& options, const Lighting& lighting, std::size_t samples, RayLooks looks);
+  RayLight(const Options& options, const Lighting& lighting, std::size_t samples, RayMaterials materials);
 
   /// Builds the ray scene of a picture. The frame's uniform block must be bound.
   void build(const sim::Drawables& drawables) { scene_.build(drawables); }
   /// Selects the lens point with index `point` among `points` lens points. The samples of each pixel are
   /// divided between the lens points.
-  void seeThrough(int point, int points);
-  [[nodiscard]] const RayLooks& looks() const { return scene_.looks(); }
+  void selectLensPoint(int point, int points);
+  [[nodiscard]] const RayMaterials& materials() const { return scene_.materials(); }
   /// Returns the buffer into which shading kernels store spots, the visible surface points
   /// (glsl/draw/exact/rays/spots.glsl).
   [[nodiscard]] const gl::Buffer& spots() const { return spots_; }
@@ -57,7 +57,7 @@ class RayLight {
   [[nodiscard]] int listSpots(const Visibility& visibility, int rows);
   void follow(int firstSpot, int spots, int firstSample, int samples, float white);
   void traceLight(int firstKind, int paths);
-  void goOn(int firstSpot, int spots, int firstSample, int paths);
+  void continuePaths(int firstSpot, int spots, int firstSample, int paths);
 
   Options options_;
   ShadeVariant shade_;

@@ -32,7 +32,7 @@ float limitOf(const scene::Finish& finish) {
 
 }  // namespace
 
-void RayLooks::begin() {
+void RayMaterials::begin() {
   words_.assign(lookTexels, glm::uvec4(0));
   owners_.clear();
   skinFirsts_.clear();
@@ -40,37 +40,37 @@ void RayLooks::begin() {
   laid_ = skinned_ = emits_ = finished_ = glass_ = holes_ = raised_ = false;
 }
 
-bool RayLooks::isLaid(const sim::Surface& surface) {
+bool RayMaterials::isTextured(const sim::Surface& surface) {
   const scene::Material& material = *surface.material;
   const scene::Finish& finish = material.finish;
   return material.skin || !SurfaceShading::colorMapOf(material).empty() || !finish.normals.empty() ||
          !finish.metalRough.empty() || (finish.emits() && !finish.emissionMap.empty());
 }
 
-bool RayLooks::fromThreeSides(const sim::Surface& surface) {
+bool RayMaterials::isTriplanar(const sim::Surface& surface) {
   const scene::Material& material = *surface.material;
   const bool uvs = surface.normals == nullptr || surface.uvs != nullptr;
   return !uvs || (material.skin && material.skin->projection != scene::Skin::Projection::uv);
 }
 
-float RayLooks::scaleOf(const sim::Surface& surface) {
+float RayMaterials::scaleOf(const sim::Surface& surface) {
   return std::sqrt(std::max(glm::dot(surface.model[0], surface.model[0]), 1e-30F));
 }
 
-glm::uvec4* RayLooks::put(const scene::Material& material) {
+glm::uvec4* RayMaterials::put(const scene::Material& material) {
   const std::size_t first = words_.size();
   words_.resize(first + lookTexels, glm::uvec4(0));
-  words_[first + plainLook] = bitsOf(
+  words_[first + fallbackMaterial] = bitsOf(
       {material.roughness, material.metallic, material.translucency, material.castsShadow ? 1.0F : 0.0F});
   return &words_[first];
 }
 
-unsigned RayLooks::add(const scene::Material& particles) {
+unsigned RayMaterials::add(const scene::Material& particles) {
   put(particles);
   return static_cast<unsigned>(words_.size() / lookTexels) - 1;
 }
 
-void RayLooks::putMaps(const sim::Surface& surface, glm::uvec4* look) {
+void RayMaterials::putMaps(const sim::Surface& surface, glm::uvec4* look) {
   using Holds = MapTexels::Holds;
   const scene::Material& material = *surface.material;
   const scene::Finish& finish = material.finish;
@@ -88,9 +88,9 @@ void RayLooks::putMaps(const sim::Surface& surface, glm::uvec4* look) {
   if (finish.emits()) place(emissionMapLook, finish.emissionMap, Holds::color);
 }
 
-void RayLooks::putSkin(const scene::Skin& skin, const SkinTextures::Entry& entry, bool threeSided,
-                       glm::uvec4* look) {
-  const SkinLook looks = lookOf(skin);
+void RayMaterials::putSkin(const scene::Skin& skin, const SkinTextures::Entry& entry, bool threeSided,
+                           glm::uvec4* look) {
+  const SkinLook materials = lookOf(skin);
   const auto found = skinFirsts_.find(&entry);
   unsigned first = skinCount_;
   if (found == skinFirsts_.end()) {
@@ -104,9 +104,9 @@ void RayLooks::putSkin(const scene::Skin& skin, const SkinTextures::Entry& entry
                     static_cast<unsigned>(entry.relief.height()),
                     levels | static_cast<unsigned>(skin.look) << 8U};
   look[skinValueLook] =
-      bitsOf({entry.threshold, looks.roughness, looks.depth, static_cast<float>(entry.cells.x)});
-  look[skinLowLook] = bitsOf({looks.low, static_cast<float>(entry.cells.y)});
-  look[skinHighLook] = bitsOf({looks.high, 0});
+      bitsOf({entry.threshold, materials.roughness, materials.depth, static_cast<float>(entry.cells.x)});
+  look[skinLowLook] = bitsOf({materials.low, static_cast<float>(entry.cells.y)});
+  look[skinHighLook] = bitsOf({materials.high, 0});
   const float shape = static_cast<float>(entry.cells.x) / static_cast<float>(entry.cells.y);
   const glm::vec4 laid = {skin.repeats, threeSided ? skin.repeats * shape : skin.repeats, 1, 0};
   look[laidLook] = bitsOf(laid);
@@ -114,11 +114,11 @@ void RayLooks::putSkin(const scene::Skin& skin, const SkinTextures::Entry& entry
   emits_ = emits_ || skin.look == scene::Skin::Look::cracks;
 }
 
-unsigned RayLooks::add(const sim::Surface& surface) {
+unsigned RayMaterials::add(const sim::Surface& surface) {
   const scene::Material& material = *surface.material;
   const scene::Finish& finish = material.finish;
   const SkinTextures::Entry* skin = material.skin ? skins_.find(*material.skin) : nullptr;
-  const bool threeSided = fromThreeSides(surface);
+  const bool threeSided = isTriplanar(surface);
   glm::uvec4* look = put(material);
   const auto owner = static_cast<unsigned>(words_.size() / lookTexels) - 1;
   owners_.emplace(&material, owner);
@@ -127,7 +127,7 @@ unsigned RayLooks::add(const sim::Surface& surface) {
     putSkin(*material.skin, *skin, threeSided, look);
   else
     putMaps(surface, look);
-  if (isLaid(surface)) {
+  if (isTextured(surface)) {
     laid_ = true;
     if (threeSided) look[laidLook].w = std::bit_cast<unsigned>(scaleOf(surface));
     for (int i = 0; i < 3; ++i)
@@ -149,7 +149,7 @@ unsigned RayLooks::add(const sim::Surface& surface) {
   return owner;
 }
 
-unsigned RayLooks::ownerOf(const scene::Material& material) const {
+unsigned RayMaterials::ownerOf(const scene::Material& material) const {
   const scene::Finish& finish = material.finish;
   if (material.skin || (finish.coat <= 0 && finish.sheen == glm::vec3(0) && finish.transmission <= 0))
     return 0;
@@ -157,7 +157,7 @@ unsigned RayLooks::ownerOf(const scene::Material& material) const {
   return found == owners_.end() ? 0 : found->second;
 }
 
-void RayLooks::gatherSkins() {
+void RayMaterials::gatherSkins() {
   if (skinCount_ == 0) return;
   constexpr std::size_t texelBytes = 16;
   reserve(skinBuffer_, skinView_, "texels of skins", skinCount_ * texelBytes, GL_RGBA32UI, texelBytes);
@@ -168,13 +168,13 @@ void RayLooks::gatherSkins() {
         static_cast<GLsizeiptr>(static_cast<std::size_t>(skinTexels_.count(*entry)) * texelBytes));
 }
 
-void RayLooks::finish() {
+void RayMaterials::finish() {
   reserve(table_, view_, "what rays meet is made of", words_.size() * sizeof(glm::uvec4), GL_RGBA32UI, 16);
   table_.write(0, std::as_bytes(std::span(words_)));
   gatherSkins();
 }
 
-void RayLooks::addTo(RayFeatures& features) const {
+void RayMaterials::addTo(RayFeatures& features) const {
   features.laid = laid_;
   features.skins = skinned_;
   features.emitters = emits_;

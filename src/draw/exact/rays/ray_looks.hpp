@@ -16,10 +16,10 @@ namespace simreel::draw {
 
 /// Material table of the path tracer (glsl/draw/exact/rays/look_table.glsl), with the maps and skins that
 /// the materials use. Index 0 means that the data stored in a spot fully describe the material.
-class RayLooks {
+class RayMaterials {
  public:
   /// The surface shading must already have loaded the maps and updated the skin texels.
-  RayLooks(MapTexels& maps, const SkinTextures& skins, const SkinTexels& skinTexels)
+  RayMaterials(MapTexels& maps, const SkinTextures& skins, const SkinTexels& skinTexels)
       : maps_(maps), skins_(skins), skinTexels_(skinTexels) {}
 
   void begin();
@@ -32,11 +32,11 @@ class RayLooks {
   /// Returns the table index (owner) of a surface's material. Returns 0 if the material is opaque and has
   /// no maps, skin or additional layers.
   [[nodiscard]] unsigned ownerOf(const scene::Material& material) const;
-  /// isLaid() returns true if the surface has a texture or skin, so that its vertices store texture
-  /// coordinates. fromThreeSides() returns true if the texture projection is triplanar, and false if uv
+  /// isTextured() returns true if the surface has a texture or skin, so that its vertices store texture
+  /// coordinates. isTriplanar() returns true if the texture projection is triplanar, and false if uv
   /// coordinates are used.
-  [[nodiscard]] static bool isLaid(const sim::Surface& surface);
-  [[nodiscard]] static bool fromThreeSides(const sim::Surface& surface);
+  [[nodiscard]] static bool isTextured(const sim::Surface& surface);
+  [[nodiscard]] static bool isTriplanar(const sim::Surface& surface);
   [[nodiscard]] static float scaleOf(const sim::Surface& surface);
   void addTo(RayFeatures& features) const;
   [[nodiscard]] bool anyEmit() const { return emits_; }

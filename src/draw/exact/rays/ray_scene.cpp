@@ -64,7 +64,7 @@ struct GatherBalls {
   gl::Uniform<"firstBall", int> firstBall;
   gl::Uniform<"owner", float> owner;
   gl::Shared<"PlaceBlock"> places;
-  gl::Shared<"LookBlock"> looks;
+  gl::Shared<"LookBlock"> materials;
 };
 
 namespace {
@@ -103,20 +103,21 @@ void RayScene::count(const sim::Drawables& drawables) {
     vertices += 3 * of;
     triangles += of;
   }
-  constexpr std::int64_t most = 1 << 26;
-  if (std::max({vertices, triangles, balls}) > most)
+  constexpr std::int64_t maximum = 1 << 26;
+  if (std::max({vertices, triangles, balls}) > maximum)
     fail(ExitCode::device,
-         "render.quality \"high\": rays find their way among {} triangles or balls at most, and this "
-         "picture "
-         "has {}; set it to \"standard\"",
-         most, std::max({vertices, triangles, balls}));
+         "render.quality \"high\": the picture has {} vertices, triangles or balls, but path tracing "
+         "supports "
+         "at most {} of each; set \"quality\" to \"standard\"",
+         std::max({vertices, triangles, balls}), maximum);
   vertexCount_ = static_cast<int>(vertices);
   triangleCount_ = static_cast<int>(triangles);
   ballCount_ = static_cast<int>(balls);
   const auto size = [](int of, std::size_t bytes) { return static_cast<std::size_t>(of) * bytes; };
   reserve(places_, placeView_, "vertices that rays meet", size(vertexCount_, 16), GL_RGBA32F, 16);
   reserve(words_, wordView_, "looks of vertices that rays meet", size(vertexCount_, 16), GL_RGBA32UI, 16);
-  const bool laid = std::any_of(drawables.surfaces.begin(), drawables.surfaces.end(), RayLooks::isLaid);
+  const bool laid =
+      std::any_of(drawables.surfaces.begin(), drawables.surfaces.end(), RayMaterials::isTextured);
   if (laid)
     reserve(lays_, layView_, "where things are laid on what rays meet", size(vertexCount_, 16), GL_RGBA32F,
             16);
@@ -128,7 +129,7 @@ void RayScene::count(const sim::Drawables& drawables) {
 
 void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int firstTriangle,
                              unsigned owner) {
-  const bool grid = surface.normals == nullptr, laid = RayLooks::isLaid(surface);
+  const bool grid = surface.normals == nullptr, laid = RayMaterials::isTextured(surface);
   const gl::Texture indices = gl::Texture::view("indices", GL_R32UI, *surface.indices, sizeof(GLuint));
   gather_
       .of({.surface = worldVariant(surface),
@@ -136,7 +137,7 @@ void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int f
            .palette = surface.palette != nullptr,
            .tinted = surface.colors != nullptr,
            .laid = laid,
-           .sides = laid && RayLooks::fromThreeSides(surface)})
+           .sides = laid && RayMaterials::isTriplanar(surface)})
       .dispatch(inRows(std::max(verticesOf(surface), maxTrianglesOf(surface))),
                 {.surface = worldVertices(surface),
                  .indices = indices,
@@ -145,7 +146,7 @@ void RayScene::gatherSurface(const sim::Surface& surface, int firstVertex, int f
                  .tints = orNone(surface.colors),
                  .uvs = orNone(surface.uvs),
                  .perGrid = grid ? 1.0F / glm::vec2(surface.grid - 1) : glm::vec2(0),
-                 .modelScale = RayLooks::scaleOf(surface),
+                 .modelScale = RayMaterials::scaleOf(surface),
                  .vertexCount = verticesOf(surface),
                  .firstVertex = firstVertex,
                  .triangleCount = maxTrianglesOf(surface),
@@ -183,7 +184,7 @@ void RayScene::gatherBalls(const sim::Instances& balls, InstanceColors& colors, 
                                                  .firstBall = firstBall,
                                                  .owner = static_cast<float>(owner),
                                                  .places = ballPlaces_,
-                                                 .looks = ballLookBuffer_});
+                                                 .materials = ballLookBuffer_});
 }
 
 /// Adds the surfaces whose material (not skin) emits light to the emitters.
@@ -239,9 +240,11 @@ void RayScene::build(const sim::Drawables& drawables) {
                                     .places = &placeView_,
                                     .corners = &cornerView_,
                                     .words = &wordView_,
-                                    .looks = &looks_.view()};
-  const Hierarchy::Solids balls{
-      .count = ballCount_, .places = &ballPlaceView_, .ballLooks = &ballLookView_, .looks = &looks_.view()};
+                                    .materials = &looks_.view()};
+  const Hierarchy::Solids balls{.count = ballCount_,
+                                .places = &ballPlaceView_,
+                                .ballLooks = &ballLookView_,
+                                .materials = &looks_.view()};
   triangles_.growBounds(triangles, bounds_);
   balls_.growBounds(balls, bounds_);
   triangles_.build(triangles, bounds_);
@@ -255,7 +258,7 @@ RayFeatures RayScene::features() const {
 }
 
 RayLookFields RayScene::lookFields() const {
-  return {.looks = looks_.view(),
+  return {.materials = looks_.view(),
           .corners = cornerView_,
           .words = wordView_,
           .lays = layView_,
@@ -288,7 +291,7 @@ void RayScene::trace(TraceRays::Variant variant, TraceRays given, int count) {
                  .solidLeaves = triangles_.leaves(),
                  .ballCount = balls_.count(),
                  .ballLeaves = balls_.leaves()};
-  given.looks = lookFields();
+  given.materials = lookFields();
   given.bounds = bounds_;
   trace_.of(variant).dispatch(inRows(count), given);
 }
@@ -302,11 +305,11 @@ void RayScene::traceListed(const gl::Texture& rays, const gl::Buffer& hits, int 
 }
 
 void RayScene::traceLight(const gl::Texture& rays, const gl::Buffer& hits, const gl::Texture& lists,
-                          const gl::Buffer& counters, int most) {
-  TraceRays given = raysOf(rays, hits, most, 0);
+                          const gl::Buffer& counters, int maximum) {
+  TraceRays given = raysOf(rays, hits, maximum, 0);
   given.list = lists;
   given.counts = counters;
-  trace({.triangles = {}, .balls = {}, .anyHit = true, .listed = true}, given, 2 * most);
+  trace({.triangles = {}, .balls = {}, .anyHit = true, .listed = true}, given, 2 * maximum);
 }
 
 void RayScene::trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count) {

@@ -19,9 +19,9 @@ struct GatherBalls;
 /// not the glows.
 class RayScene {
  public:
-  RayScene(bool ground, RayLooks looks)
+  RayScene(bool ground, RayMaterials materials)
       : ground_(ground),
-        looks_(std::move(looks)),
+        looks_(std::move(materials)),
         bounds_("bounds of what rays meet", 8 * sizeof(GLuint)) {}
   /// Builds the scene. The frame's uniform block must be bound. Throws UserError(device) if the scene
   /// exceeds the device's limits.
@@ -30,9 +30,9 @@ class RayScene {
   /// hit have the same index in `rays` and `hits`.
   void trace(const gl::Texture& rays, const gl::Buffer& hits, int first, int count);
   /// Computes the fraction of light that reaches the end of each shadow ray. `lists`: two consecutive lists
-  /// of ray indices, each with a capacity of `most` indices. `counters`: the lengths of the lists.
+  /// of ray indices, each with a capacity of `maximum` indices. `counters`: the lengths of the lists.
   void traceLight(const gl::Texture& rays, const gl::Buffer& hits, const gl::Texture& lists,
-                  const gl::Buffer& counters, int most);
+                  const gl::Buffer& counters, int maximum);
   /// Finds the first hit of the rays in a list. The list holds `count` ray indices relative to `first`.
   void traceListed(const gl::Texture& rays, const gl::Buffer& hits, int first, const gl::Texture& list,
                    int count);
@@ -42,7 +42,7 @@ class RayScene {
   [[nodiscard]] SortedSolids sorted() const;
   [[nodiscard]] FoundFields found() const;
   [[nodiscard]] EmitterFields emitters() const;
-  [[nodiscard]] const RayLooks& looks() const { return looks_; }
+  [[nodiscard]] const RayMaterials& materials() const { return looks_; }
 
  private:
   void count(const sim::Drawables& drawables);
@@ -57,7 +57,7 @@ class RayScene {
   }
 
   bool ground_;
-  RayLooks looks_;
+  RayMaterials looks_;
   RayEmitters emitters_;
   InstanceShapes shapes_{false};
   std::vector<InstanceColors> colors_;

@@ -46,12 +46,13 @@ using namespace simreel::shader;  // NOLINT: the file is written in GLSL's names
 std::size_t cellsOf(glm::ivec2 size) {
   const glm::ivec2 room = levels::levelRoom(size);
   const std::size_t cells = static_cast<std::size_t>(room.x) * static_cast<std::size_t>(room.y) / 2 * 3;
-  const auto most = static_cast<std::size_t>(gl::limits().texelBufferTexels);
-  if (cells > most)
-    fail(ExitCode::device,
-         "reflections in a picture of {}x{} half pixels: {} cells, and this device has {} "
-         "(GL_MAX_TEXTURE_BUFFER_SIZE); lower \"size\", or set \"render.quality\" to \"draft\"",
-         size.x, size.y, cells, most);
+  const auto maximum = static_cast<std::size_t>(gl::limits().texelBufferTexels);
+  if (cells > maximum)
+    fail(
+        ExitCode::device,
+        "reflections in a picture of {}x{} pixels at half resolution need {} texels; this device allows {} "
+        "(GL_MAX_TEXTURE_BUFFER_SIZE); lower \"size\", or set \"render.quality\" to \"draft\"",
+        size.x, size.y, cells, maximum);
   return cells;
 }
 

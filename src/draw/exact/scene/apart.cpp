@@ -19,7 +19,8 @@ std::vector<const sim::Surface*> pointersTo(const std::vector<sim::Surface>& sur
 
 }  // namespace
 
-ApartSurfaces::ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading, bool parallel)
+TransparentSurfaces::TransparentSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading,
+                                         bool parallel)
     : band_(band),
       samples_(samples),
       parallel_(parallel),
@@ -27,24 +28,24 @@ ApartSurfaces::ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shadi
       cut_(TriangleRaster::ofFragments(TriangleRaster::Into::picture, samples)),
       layer_(TriangleRaster::ofFragments(TriangleRaster::Into::picture, samples)) {
   cut_.tellFragments({.cut = SurfaceShading::hasHoles, .holes = [this](const sim::Surface& surface) {
-                        return shading_.holes(surface, leastOf(surface, false));
+                        return shading_.holes(surface, minimumOf(surface, false));
                       }});
 }
 
-float ApartSurfaces::leastOf(const sim::Surface& surface, bool shadow) {
+float TransparentSurfaces::minimumOf(const sim::Surface& surface, bool shadow) {
   const scene::Finish& finish = surface.material->finish;
   return finish.alpha == scene::Alpha::cut ? finish.cutoff : shadow ? shadingOpacity : visibleOpacity;
 }
 
-TriangleRaster::Fragments ApartSurfaces::holesOf(const sim::Surface* only) {
+TriangleRaster::Fragments TransparentSurfaces::holesOf(const sim::Surface* only) {
   return {
       .cut = SurfaceShading::hasHoles,
       .holes =
-          [this](const sim::Surface& surface) { return shading_.holes(surface, leastOf(surface, true)); },
+          [this](const sim::Surface& surface) { return shading_.holes(surface, minimumOf(surface, true)); },
       .only = only};
 }
 
-void ApartSurfaces::extractFrom(std::vector<sim::Surface>& surfaces) {
+void TransparentSurfaces::extractFrom(std::vector<sim::Surface>& surfaces) {
   cutSurfaces_.clear();
   blended_.clear();
   casting_.clear();
@@ -59,13 +60,13 @@ void ApartSurfaces::extractFrom(std::vector<sim::Surface>& surfaces) {
     }
     if (even || finish.opacity < visibleOpacity) continue;
     (finish.alpha == scene::Alpha::cut ? cutSurfaces_ : blended_).push_back(surface);
-    if (castsShadow(surface) && (holes || finish.opacity >= leastOf(surface, true)))
+    if (castsShadow(surface) && (holes || finish.opacity >= minimumOf(surface, true)))
       casting_.push_back(surface);
   }
   surfaces = std::move(others);
 }
 
-void ApartSurfaces::castSun(const Visibility& map, const MapPart& part) {
+void TransparentSurfaces::castSun(const Visibility& map, const MapPart& part) {
   if (casting_.empty()) return;
   if (!sunCasters_) {
     sunCasters_.emplace(TriangleRaster::ofFragments(TriangleRaster::Into::sunMap, 1));
@@ -75,7 +76,7 @@ void ApartSurfaces::castSun(const Visibility& map, const MapPart& part) {
   sunCasters_->draw(map, part);
 }
 
-unsigned ApartSurfaces::number(unsigned firstId, std::vector<unsigned>& firstIds) {
+unsigned TransparentSurfaces::number(unsigned firstId, std::vector<unsigned>& firstIds) {
   cut_.number(pointersTo(cutSurfaces_), firstId);
   unsigned next = firstId;
   for (const TriangleRaster::Drawn& drawn : cut_.drawn()) {
@@ -85,18 +86,18 @@ unsigned ApartSurfaces::number(unsigned firstId, std::vector<unsigned>& firstIds
   return next;
 }
 
-void ApartSurfaces::describe(std::vector<DrawnThing>& things) const {
+void TransparentSurfaces::describe(std::vector<DrawnThing>& things) const {
   for (const TriangleRaster::Drawn& drawn : cut_.drawn())
     things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
 }
 
-void ApartSurfaces::shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing,
-                          const SceneLight& light) {
+void TransparentSurfaces::shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstObject,
+                                const SceneLight& light) {
   for (const TriangleRaster::Drawn& drawn : cut_.drawn())
-    shading_.shade(cut_, drawn, skins, tiles, firstThing++, light);
+    shading_.shade(cut_, drawn, skins, tiles, firstObject++, light);
 }
 
-void ApartSurfaces::makeRoom() {
+void TransparentSurfaces::makeRoom() {
   if (through_.name() != 0) return;
   for (auto& layer : layers_) layer.emplace("a layer", band_, samples_, true, parallel_);
   tiles_.emplace(*layers_[0], false, false, false);
@@ -106,9 +107,9 @@ void ApartSurfaces::makeRoom() {
   throughView_ = gl::Texture::view("what layers let through", GL_R32F, through_, sizeof(float));
 }
 
-void ApartSurfaces::addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins,
-                              SceneLight light, const gl::Texture& sums,
-                              const std::function<void(const Visibility&)>& trace) {
+void TransparentSurfaces::addLayers(const Visibility& picture, unsigned firstId, const SkinTextures& skins,
+                                    SceneLight light, const gl::Texture& sums,
+                                    const std::function<void(const Visibility&)>& trace) {
   constexpr float all = 1;
   makeRoom();
   light.through = through_;
@@ -118,12 +119,12 @@ void ApartSurfaces::addLayers(const Visibility& picture, unsigned firstId, const
   layer_.number(pointersTo(blended_), firstId);
   std::vector<unsigned> firstIds;
   for (const TriangleRaster::Drawn& drawn : layer_.drawn()) firstIds.push_back(drawn.firstId);
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < maximum; ++i) {
     const Visibility& layer = *layers_[static_cast<std::size_t>(i % 2)];
     layer_.tellFragments({.cut = SurfaceShading::hasHoles,
                           .holes =
                               [this](const sim::Surface& surface) {
-                                return shading_.holes(surface, leastOf(surface, false));
+                                return shading_.holes(surface, minimumOf(surface, false));
                               },
                           .layers = true,
                           .before = i == 0 ? nullptr : &*layers_[static_cast<std::size_t>((i + 1) % 2)],

@@ -22,12 +22,12 @@ namespace simreel::draw {
 /// transparency", 2001): the layers of each sample are found one by one from the nearest to the opaque
 /// surface. The light of each layer is multiplied by the fraction that the layers in front let through.
 /// Layers are ordered by depth, and by primitive id at equal depth, so the order is the same on every
-/// device. Only the first `most` layers of a sample are drawn.
-class ApartSurfaces {
+/// device. Only the first `maximum` layers of a sample are drawn.
+class TransparentSurfaces {
  public:
-  static constexpr int most = 16;
+  static constexpr int maximum = 16;
   /// `band`: size (pixels) of the bands of visibility. `parallel`: as in SampleKind.
-  ApartSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading, bool parallel = false);
+  TransparentSurfaces(glm::ivec2 band, int samples, SurfaceShading& shading, bool parallel = false);
 
   /// Moves the surfaces that this class draws from `surfaces` into this object.
   void extractFrom(std::vector<sim::Surface>& surfaces);
@@ -46,11 +46,11 @@ class ApartSurfaces {
   /// id.
   unsigned number(unsigned firstId, std::vector<unsigned>& firstIds);
   void drawNearest(const Visibility& picture) { cut_.drawNearest(picture); }
-  void drawNumbers(const Visibility& picture) { cut_.drawNumbers(picture); }
+  void drawIds(const Visibility& picture) { cut_.drawIds(picture); }
   void describe(std::vector<DrawnThing>& things) const;
   [[nodiscard]] const std::vector<TriangleRaster::Drawn>& drawn() const { return cut_.drawn(); }
   [[nodiscard]] int things() const { return static_cast<int>(cutSurfaces_.size()); }
-  void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstThing, const SceneLight& light);
+  void shade(const SkinTextures& skins, const ShadedTiles& tiles, int firstObject, const SceneLight& light);
 
   /// cut() returns the stored cut-out surfaces, and blended() the stored blended surfaces.
   [[nodiscard]] const std::vector<sim::Surface>& cut() const { return cutSurfaces_; }
@@ -65,7 +65,7 @@ class ApartSurfaces {
 
  private:
   void makeRoom();
-  [[nodiscard]] static float leastOf(const sim::Surface& surface, bool shadow);
+  [[nodiscard]] static float minimumOf(const sim::Surface& surface, bool shadow);
 
   glm::ivec2 band_;
   int samples_;

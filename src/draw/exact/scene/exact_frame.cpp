@@ -31,7 +31,7 @@ ExactFrame::ExactFrame(const scene::Scene& shown, const Environment* around, glm
       size(pixels),
       samples(count),
       bandRows(rows),
-      ground(groundSeen(shown) != nullptr),
+      ground(visibleGround(shown) != nullptr),
       skins(shown),
       lamps(shown, Rasterizer::exact),
       shadow(mappedSun(shown)),
@@ -39,7 +39,7 @@ ExactFrame::ExactFrame(const scene::Scene& shown, const Environment* around, glm
       visibility("the picture", {pixels.x, rows}, count, true, isParallel(shown.camera)),
       triangles(TriangleRaster::Into::picture, count),
       surfaces(shown, {lit(), lights()}),
-      apart({pixels.x, rows}, count, surfaces, isParallel(shown.camera)),
+      transparent({pixels.x, rows}, count, surfaces, isParallel(shown.camera)),
       glass(pixels, {pixels.x, rows}, count, surfaces, isParallel(shown.camera)),
       instances(count, {lit(), lights()}),
       groundShading(lights()),
@@ -56,8 +56,9 @@ ExactFrame::ExactFrame(const scene::Scene& shown, const Environment* around, glm
   rays.emplace(
       RayLight::Options{
           .raySamples = shown.render.raySamples, .ground = ground, .openSun = !shown.sun.shadow},
-      Lighting{lit(), rayLights}, held, RayLooks(surfaces.maps(), skins, surfaces.skinTexels()));
-  surfaces.ownBy([this](const scene::Material& material) { return rays->looks().ownerOf(material); });
+      Lighting{lit(), rayLights}, held, RayMaterials(surfaces.maps(), skins, surfaces.skinTexels()));
+  surfaces.setOwnerFunction(
+      [this](const scene::Material& material) { return rays->materials().ownerOf(material); });
 }
 
 ThingVariant ExactFrame::lit() const {
@@ -71,7 +72,7 @@ ThingVariant ExactFrame::lit() const {
                     .groundReflective = occludes() && ground && isReflective(*scene.ground),
                     .reflected = false,
                     .shown = {}},
-          .groundBelow = occludes() && ground};
+          .stageGroundHeight = occludes() && ground};
 }
 
 gl::Defines ExactFrame::lights() const {
@@ -96,7 +97,7 @@ SceneLight ExactFrame::sceneLight(const gl::Texture& into) const {
                  .nearestLevels = {},
                  .litLevels = {},
                  .mirrorReach = Reflections::reachOf(away()),
-                 .layersLeave = apart.leave(),
+                 .layersLeave = transparent.leave(),
                  .through = {},
                  .spots = {},
                  .sums = into};
@@ -126,14 +127,14 @@ float ExactFrame::away() const {
 
 GroundPlace ExactFrame::groundPlace() const {
   return {rowsTowardsGround(values, scene.ground->height, ShadedTiles::side),
-          nearOfGround(values, scene.ground->height), raysAside(values)};
+          groundNearnessOf(values, scene.ground->height), rayBounds(values)};
 }
 
 std::vector<DrawnThing> ExactFrame::thingsDrawn() const {
   std::vector<DrawnThing> things;
   for (const TriangleRaster::Drawn& drawn : triangles.drawn())
     things.push_back({objectName(*drawn.surface), "triangle", drawn.firstId, 1});
-  apart.describe(things);
+  transparent.describe(things);
   instances.describe(things);
   return things;
 }
@@ -145,8 +146,8 @@ void ExactFrame::shadeThings(const gl::Texture& into) {
       surfaces.shade(triangles, gathered[i].front(), skins, *tiles, static_cast<int>(i), all);
     else
       surfaces.shadeJoined(joined, triangles, gathered[i], *tiles, static_cast<int>(i), all);
-  apart.shade(skins, *tiles, static_cast<int>(gathered.size()), all);
-  instances.shade(*tiles, static_cast<int>(gathered.size()) + apart.things(), all);
+  transparent.shade(skins, *tiles, static_cast<int>(gathered.size()), all);
+  instances.shade(*tiles, static_cast<int>(gathered.size()) + transparent.things(), all);
 }
 
 }  // namespace simreel::draw

@@ -25,7 +25,7 @@
 namespace simreel::draw {
 
 /// Arguments of ExactScene::draw(), valid during the call.
-struct AskedPicture {
+struct PictureRequest {
   const ExactScene::Exposure* exposure = nullptr;
   ExactScene::Moment frame;
   const ExactScene::Overlays* overlays = nullptr;
@@ -86,7 +86,7 @@ struct ExactFrame {
   bool ground;
 
   // The following members are the state of one picture.
-  AskedPicture asked;
+  PictureRequest asked;
   PassPicture* passes = nullptr;           ///< receives the pass outputs (bisect, test); null if they
                                            ///< are not needed
   std::optional<LightRequest> wanted;      ///< light and layers that the caller has requested
@@ -130,7 +130,7 @@ struct ExactFrame {
   Occlusion occlusion;                 ///< ambient occlusion and nearness at half resolution
   std::optional<Reflections> reflections;
   SurfaceShading surfaces;
-  ApartSurfaces apart;
+  TransparentSurfaces transparent;
   GlassSurfaces glass;
   ExactInstances instances;
   gl::Kernels<ShadeGround> groundShading;

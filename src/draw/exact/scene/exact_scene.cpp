@@ -18,15 +18,15 @@ void checkSamples(int samples) {
 }
 
 /// Returns the max size in bytes of the visibility buffer of a band. This is `bytes`, or less for path
-/// tracing, because path tracing processes at most RayLight::mostSamples samples per band.
+/// tracing, because path tracing processes at most RayLight::sampleLimit samples per band.
 std::size_t bytesOfBands(const scene::Scene& scene, std::size_t bytes) {
   if (scene.render.quality != scene::Quality::high) return bytes;
-  return std::min(bytes, RayLight::mostSamples * Visibility::sampleBytes);
+  return std::min(bytes, RayLight::sampleLimit * Visibility::sampleBytes);
 }
 
 }  // namespace
 
-int rowsOfBands(glm::ivec2 size, int samples, const BandRoom& room) {
+int rowsOfBands(glm::ivec2 size, int samples, const BandLimits& room) {
   const std::size_t pixels = std::min(room.samples / static_cast<std::size_t>(samples),
                                       static_cast<std::size_t>(room.glowBytes / GlowRaster::sumBytes));
   const std::size_t rows = pixels / static_cast<std::size_t>(size.x);
@@ -46,7 +46,7 @@ struct ExactScene::State {
 ExactScene::ExactScene(const scene::Scene& scene, const Environment* environment, glm::ivec2 size,
                        int samples, std::size_t visibilityBytes) {
   checkSamples(samples);
-  const BandRoom room{
+  const BandLimits room{
       std::min(bytesOfBands(scene, visibilityBytes) / Visibility::sampleBytes, Visibility::maxSamples()),
       gl::limits().storageBlockBytes};
   state_ = std::make_unique<State>(scene, environment, size, samples, rowsOfBands(size, samples, room));
@@ -67,7 +67,7 @@ PictureLayers ExactScene::takeLayers() {
 }
 
 void ExactScene::draw(const Exposure& exposure, const Moment& frame, const Overlays& overlays,
-                      const gl::Texture& picture, const Watch& watch) {
+                      const gl::Texture& picture, const StageCallback& watch) {
   ExactFrame& f = state_->frame;
   f.asked = {&exposure, frame, &overlays, &picture};
   if (f.environment != nullptr) f.environment->bind();

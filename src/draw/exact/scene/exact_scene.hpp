@@ -21,13 +21,13 @@ namespace simreel::draw {
 class Motion;
 
 /// Memory limits of one band of a picture.
-struct BandRoom {
+struct BandLimits {
   std::size_t samples;     ///< max number of visibility samples
   std::int64_t glowBytes;  ///< max bytes of the glow sums, which must fit into one buffer
 };
 /// Returns the number of pixel rows per band that fit into the memory. The number is a multiple of the tile
 /// size and at least one tile.
-[[nodiscard]] int rowsOfBands(glm::ivec2 size, int samples, const BandRoom& room);
+[[nodiscard]] int rowsOfBands(glm::ivec2 size, int samples, const BandLimits& room);
 
 /// Draws a scene with compute kernels in exact arithmetic, except for the overlays on the finished picture.
 /// The bytes are the same on every device.
@@ -50,7 +50,7 @@ class ExactScene {
     const FieldTextures& textures;
     FieldPass& fields;
   };
-  using Watch = std::function<void(const char* stage)>;
+  using StageCallback = std::function<void(const char* stage)>;
   /// Content of the scene at one time.
   struct Moment {
     double seconds = 0;  ///< scene time (s)
@@ -73,7 +73,7 @@ class ExactScene {
   /// Draws into an RGBA8 picture, with row 0 at the top. `frame`: time and content for fields, bloom and
   /// film. The frame's uniform block must be bound.
   void draw(const Exposure& exposure, const Moment& frame, const Overlays& overlays,
-            const gl::Texture& picture, const Watch& watch);
+            const gl::Texture& picture, const StageCallback& watch);
   /// Sets the object that receives the pass outputs of later pictures, replacing earlier contents. Null:
   /// pass outputs are not stored.
   void keepPasses(PassPicture* passes);

@@ -33,9 +33,9 @@ FaceLists::FaceLists(const gl::Defines& lampDefines) {
 }
 
 int FaceLists::facesAtOnce(int triangles) {
-  constexpr std::int64_t most = std::int64_t{1} << 26;  // max bytes of the lists; the list of large
-                                                        // triangles needs the same number of bytes again
-  const std::int64_t room = std::min<std::int64_t>(most, gl::limits().storageBlockBytes);
+  constexpr std::int64_t maximum = std::int64_t{1} << 26;  // max bytes of the lists; the list of large
+                                                           // triangles needs the same number of bytes again
+  const std::int64_t room = std::min<std::int64_t>(maximum, gl::limits().storageBlockBytes);
   const auto each = static_cast<std::int64_t>(std::max(triangles, 1)) * std::int64_t{sizeof(GLuint)};
   return static_cast<int>(std::clamp<std::int64_t>(room / each, 1, 96));
 }

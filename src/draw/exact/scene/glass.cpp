@@ -57,11 +57,11 @@ void GlassSurfaces::makeRoom() {
   keep_.emplace(gl::Defines());
 }
 
-/// Finds up to `most` layers. Returns their number.
-int GlassSurfaces::find(int most, const Visibility& picture, const gl::Texture& sums) {
+/// Finds up to `maximum` layers. Returns their number.
+int GlassSurfaces::find(int maximum, const Visibility& picture, const gl::Texture& sums) {
   std::vector<unsigned> firstIds;
   for (const TriangleRaster::Drawn& drawn : raster_.drawn()) firstIds.push_back(drawn.firstId);
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < maximum; ++i) {
     Layer& layer = layers_[static_cast<std::size_t>(i)];
     raster_.tellFragments(
         {.cut = [](const sim::Surface&) { return false; },
@@ -74,7 +74,7 @@ int GlassSurfaces::find(int most, const Visibility& picture, const gl::Texture& 
     layer.tiles.list(firstIds, layer.visibility, sums, {});
     if (!layer.tiles.any()) return i;
   }
-  return most;
+  return maximum;
 }
 
 void GlassSurfaces::keep(const gl::Texture& sums) const {

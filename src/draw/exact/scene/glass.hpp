@@ -18,8 +18,8 @@ struct KeepLightKernel;
 
 /// Draws surfaces of glass (with a transmission) over the finished light of everything else, without rays.
 /// The layers of each sample are found one by one from the nearest, like those of blended surfaces
-/// (ApartSurfaces). The first two layers are usually the front and the back of a solid, the next two those
-/// of the solid behind it. Further layers are not drawn.
+/// (TransparentSurfaces). The first two layers are usually the front and the back of a solid, the next two
+/// those of the solid behind it. Further layers are not drawn.
 class GlassSurfaces {
  public:
   /// A pair of layers, from the nearest.
@@ -41,7 +41,7 @@ class GlassSurfaces {
     ShadedTiles tiles;
   };
   void makeRoom();
-  [[nodiscard]] int find(int most, const Visibility& picture, const gl::Texture& sums);
+  [[nodiscard]] int find(int maximum, const Visibility& picture, const gl::Texture& sums);
   void keep(const gl::Texture& sums) const;
 
   glm::ivec2 size_, band_;

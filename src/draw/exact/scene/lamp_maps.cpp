@@ -65,7 +65,7 @@ LampMaps::LampMaps(const Lamps& lamps, bool sparing, bool together)
 }
 
 void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances,
-                    ApartSurfaces* apart) {
+                    TransparentSurfaces* transparent) {
   std::vector<const sim::Surface*> casting;
   for (const sim::Surface& surface : drawables.surfaces)
     if (castsShadow(surface)) casting.push_back(&surface);
@@ -101,9 +101,9 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
   }
   if (!casting.empty()) drawMesh(*raster_, casting, faces, together_);
   const std::vector<sim::Surface> none;
-  for (const sim::Surface& surface : apart != nullptr ? apart->casting() : none) {
+  for (const sim::Surface& surface : transparent != nullptr ? transparent->casting() : none) {
     if (!holeRaster_) holeRaster_.emplace(TriangleRaster::ofFragments(TriangleRaster::Into::lampMap, 1));
-    holeRaster_->tellFragments(apart->holesOf(&surface));
+    holeRaster_->tellFragments(transparent->holesOf(&surface));
     drawMesh(*holeRaster_, {&surface}, faces, false);
   }
   for (const MapFace& face : faces) {

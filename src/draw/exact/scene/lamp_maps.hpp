@@ -12,7 +12,7 @@
 
 namespace simreel::draw {
 
-class ApartSurfaces;
+class TransparentSurfaces;
 
 /// Shadow maps of the lamps, six per lamp. The exact rasterizer draws each map like a picture.
 class LampMaps {
@@ -23,10 +23,10 @@ class LampMaps {
   /// cases.
   explicit LampMaps(const Lamps& lamps, bool sparing = true, bool together = joinsSurfaces());
   [[nodiscard]] bool on() const { return count_ > 0; }
-  /// Draws all maps for the last update of the lamps. `apart`: cut-out and blended surfaces that also cast
-  /// shadows; may be null. Changes the bound view block.
+  /// Draws all maps for the last update of the lamps. `transparent`: cut-out and blended surfaces that also
+  /// cast shadows; may be null. Changes the bound view block.
   void draw(const sim::Drawables& drawables, const Lamps& lamps, ExactInstances& instances,
-            ApartSurfaces* apart = nullptr);
+            TransparentSurfaces* transparent = nullptr);
   /// Returns the depth keys of all maps (one atlas).
   [[nodiscard]] const Visibility& keys() const { return *keys_; }
 

@@ -42,8 +42,8 @@ void MergedMesh::merge(const std::vector<const sim::Surface*>& surfaces) {
   }
   if (vertices > INT32_MAX || 3 * triangles > INT32_MAX)
     fail(ExitCode::device,
-         "the exact rasterizer draws {} triangles around lamps, and these are more; set \"rasterizer\" to "
-         "\"driver\"",
+         "the picture has more than {} triangles, the limit of the exact rasterizer for shadows of lamps; "
+         "reduce them, or set \"rasterizer\" to \"driver\"",
          INT32_MAX / 3);
   reserve(places_, placesView_, "places in the world", static_cast<std::size_t>(vertices) * 16, GL_RGBA32F,
           16);
@@ -55,18 +55,18 @@ void MergedMesh::merge(const std::vector<const sim::Surface*>& surfaces) {
   for (const sim::Surface* surface : surfaces) {
     const gl::Texture corners = gl::Texture::view("indices", GL_R32UI, *surface->indices, sizeof(GLuint));
     const int room = verticesOf(*surface);
-    const int most = maxTrianglesOf(*surface);
+    const int maximum = maxTrianglesOf(*surface);
     kernels_.of({.deformed = surface->deform != nullptr, .counted = surface->arguments != nullptr})
-        .dispatch(inRows(std::max(room, most)), {.surface = worldVertices(*surface),
-                                                 .indices = corners,
-                                                 .arguments = orNone(surface->arguments),
-                                                 .vertexCount = room,
-                                                 .firstVertex = firstVertex,
-                                                 .triangleCount = most,
-                                                 .rowOf = rowOf(*surface),
-                                                 .places = places_,
-                                                 .merged = indices_,
-                                                 .count = count_});
+        .dispatch(inRows(std::max(room, maximum)), {.surface = worldVertices(*surface),
+                                                    .indices = corners,
+                                                    .arguments = orNone(surface->arguments),
+                                                    .vertexCount = room,
+                                                    .firstVertex = firstVertex,
+                                                    .triangleCount = maximum,
+                                                    .rowOf = rowOf(*surface),
+                                                    .places = places_,
+                                                    .merged = indices_,
+                                                    .count = count_});
     firstVertex += room;
   }
   gl::barrier();

@@ -16,7 +16,7 @@ void PassRun::asked() {
 
 /// Draws max(moments, lens points) views, so that each moment and each lens point has at least one view.
 /// The lens points of one moment are spread evenly over the lens.
-void PassRun::draw(const ExactScene::Watch& watch) {
+void PassRun::draw(const ExactScene::StageCallback& watch) {
   ExactFrame& f = frame_;
   watch_ = &watch;
   const ExactScene::Exposure& exposure = *f.asked.exposure;
@@ -101,13 +101,13 @@ std::vector<std::size_t> PassRun::lostBefore(Range group, std::size_t firstOfVie
   return lost;
 }
 
-void PassRun::run(std::size_t pass, bool again) {
+void PassRun::run(std::size_t pass, bool restoreBand) {
   if (!passes_[pass]->on()) return;
   const char* const stage = exactPasses[pass].stage;
   if (stage_ != nullptr && (stage == nullptr || std::string_view(stage) != stage_)) endStage();
   if (stage != nullptr) stage_ = stage;
-  if (again)
-    passes_[pass]->again();
+  if (restoreBand)
+    passes_[pass]->restoreBand();
   else
     passes_[pass]->run();
 }

@@ -14,7 +14,7 @@ class PassRun {
   /// `frame` must outlive this object.
   explicit PassRun(ExactFrame& frame);
   /// Draws the picture that ExactFrame::asked describes.
-  void draw(const ExactScene::Watch& watch);
+  void draw(const ExactScene::StageCallback& watch);
   void asked();
 
  private:
@@ -31,7 +31,7 @@ class PassRun {
 
   ExactFrame& frame_;
   std::vector<std::unique_ptr<Pass>> passes_;
-  const ExactScene::Watch* watch_ = nullptr;
+  const ExactScene::StageCallback* watch_ = nullptr;
   const char* stage_ = nullptr;  ///< name of the current stage; null between stages
 };
 

@@ -26,10 +26,10 @@ void PictureLayers::keepShown(Layer layer, std::span<const float> sums) {
   into.assign(sums.size() / 4 * static_cast<std::size_t>(channels), 0.0F);
   for (std::size_t pixel = 0; 4 * pixel < sums.size(); ++pixel) {
     const glm::vec3 sum(sums[4 * pixel], sums[4 * pixel + 1], sums[4 * pixel + 2]);
-    const float there = layer == Layer::normal ? std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z)
-                                               : sums[4 * pixel + 3];
-    for (int i = 0; i < channels && there > 1e-4F; ++i)
-      into[static_cast<std::size_t>(channels) * pixel + static_cast<std::size_t>(i)] = sum[i] / there;
+    const float length = layer == Layer::normal ? std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z)
+                                                : sums[4 * pixel + 3];
+    for (int i = 0; i < channels && length > 1e-4F; ++i)
+      into[static_cast<std::size_t>(channels) * pixel + static_cast<std::size_t>(i)] = sum[i] / length;
   }
 }
 
@@ -111,7 +111,7 @@ void LayerKeeper::add(const Visibility& visibility, const shader::ExactView& vie
       } else if (way != nullptr && !isParallel(way->now)) {
         const glm::vec2 at(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
         const glm::dvec3 away(placeOf(way->now, at, 1) - glm::vec3(way->now.eye));
-        keepVector(pixel, pixelTowards(way->now, away), pixelTowards(way->before, away));
+        keepVector(pixel, pixelOfDirection(way->now, away), pixelOfDirection(way->before, away));
       }
     }
 }

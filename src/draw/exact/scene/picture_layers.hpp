@@ -42,11 +42,11 @@ struct LightRequest {
 /// the lens point nearest to the centre, because the mean over several objects would describe none of them.
 struct PictureLayers {
   /// Fraction of a pixel that an object covers.
-  struct Share {
+  struct ObjectCoverage {
     std::uint32_t object = 0;  ///< index of the object in `objects`
     float coverage = 0;        ///< covered fraction of the pixel, 0 to 1
   };
-  static constexpr int mostRanks = 6;
+  static constexpr int maxCoveragesPerPixel = 6;
   static constexpr std::uint32_t noPrimitive = 0xffffffffU;
 
   glm::ivec2 size{0};
@@ -78,7 +78,7 @@ struct PictureLayers {
   std::vector<std::string> objects;
   int ranks = 0;  ///< number of entries per pixel in `shares`; the entries are sorted by coverage, largest
                   ///< first, and any area that they do not cover is empty
-  std::vector<Share> shares;
+  std::vector<ObjectCoverage> shares;
 
   /// Sets the layer `normal`, `albedo` or `uv` from sums over the samples of a pixel: RGBA, where alpha is
   /// the coverage.
@@ -91,7 +91,7 @@ struct CameraWay {
   double seconds = 1;  ///< time between the two frames (s)
 };
 
-/// Computes the layers that need only visibility, for one view, on the CPU, band by band. ShareKeeper
+/// Computes the layers that need only visibility, for one view, on the CPU, band by band. CoverageCounter
 /// computes object coverage.
 class LayerKeeper {
  public:

@@ -12,18 +12,18 @@ constexpr unsigned groundObject = 0xfffffffeU, noObject = 0xffffffffU;  // speci
 
 }  // namespace
 
-ShareKeeper::ShareKeeper(glm::ivec2 size, int samples)
+CoverageCounter::CoverageCounter(glm::ivec2 size, int samples)
     : samples_(static_cast<std::size_t>(samples)),
       first_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {}
 
-std::uint32_t ShareKeeper::numbered(const std::string& name) {
+std::uint32_t CoverageCounter::numbered(const std::string& name) {
   const auto found = std::find(objects_.begin(), objects_.end(), name);
   if (found != objects_.end()) return static_cast<std::uint32_t>(found - objects_.begin());
   objects_.push_back(name);
   return static_cast<std::uint32_t>(objects_.size() - 1);
 }
 
-void ShareKeeper::countOne(std::size_t pixel, std::uint32_t object) {
+void CoverageCounter::countOne(std::size_t pixel, std::uint32_t object) {
   Count& first = first_[pixel];
   if (first.samples == 0) first.object = object;
   if (first.object == object) {
@@ -39,8 +39,8 @@ void ShareKeeper::countOne(std::size_t pixel, std::uint32_t object) {
     ++same->samples;
 }
 
-void ShareKeeper::add(std::span<const unsigned> numbers, const shader::ExactView& view,
-                      std::span<const DrawnThing> things) {
+void CoverageCounter::add(std::span<const unsigned> numbers, const shader::ExactView& view,
+                          std::span<const DrawnThing> things) {
   const std::size_t begin = static_cast<std::size_t>(view.rows.x) * static_cast<std::size_t>(view.size.x);
   const std::size_t held =
       static_cast<std::size_t>(view.rows.y) * static_cast<std::size_t>(view.size.x) - begin;
@@ -66,9 +66,9 @@ void ShareKeeper::add(std::span<const unsigned> numbers, const shader::ExactView
   }
 }
 
-void ShareKeeper::finish(PictureLayers& into, int pictures) const {
+void CoverageCounter::finish(PictureLayers& into, int pictures) const {
   const std::size_t all = samples_ * static_cast<std::size_t>(pictures);
-  const std::size_t ranks = std::min(all, static_cast<std::size_t>(PictureLayers::mostRanks));
+  const std::size_t ranks = std::min(all, static_cast<std::size_t>(PictureLayers::maxCoveragesPerPixel));
   into.objects = objects_;
   into.ranks = static_cast<int>(ranks);
   into.shares.assign(first_.size() * ranks, {});

@@ -17,9 +17,9 @@ namespace simreel::draw {
 /// Computes the fraction of each pixel that each object covers. Counts the samples that show the object,
 /// over all views (moments and lens points) of a picture. The coverage is thus blurred in the same way as
 /// the light.
-class ShareKeeper {
+class CoverageCounter {
  public:
-  ShareKeeper(glm::ivec2 size, int samples);
+  CoverageCounter(glm::ivec2 size, int samples);
   /// Counts the samples of a band. `numbers`: primitive ids of the samples, as in Visibility. `things`:
   /// objects with primitive ids, sorted by firstId.
   void add(std::span<const unsigned> numbers, const shader::ExactView& view,

@@ -87,12 +87,12 @@ glm::ivec4 MapTexels::add(glm::ivec2 size, const std::vector<std::uint8_t>& rgba
     append(0, rgba);
     for (std::size_t i = 0; i < all.size(); ++i) append(i + 1, all[i].rgba);
   }
-  const auto most = static_cast<std::size_t>(gl::limits().texelBufferTexels);
-  if (texels_.size() > most)
+  const auto maximum = static_cast<std::size_t>(gl::limits().texelBufferTexels);
+  if (texels_.size() > maximum)
     fail(ExitCode::device,
-         "the maps of the materials have {} texels, of which this device holds {} "
-         "(GL_MAX_TEXTURE_BUFFER_SIZE); make pictures smaller",
-         texels_.size(), most);
+         "the maps of the materials need {} texels, but this device allows {} "
+         "(GL_MAX_TEXTURE_BUFFER_SIZE); use smaller pictures as maps",
+         texels_.size(), maximum);
   return {size, levels, static_cast<int>(first)};
 }
 

@@ -372,13 +372,13 @@ bool SurfaceShading::hasHoles(const sim::Surface& surface) {
   return surface.material->finish.alpha != scene::Alpha::opaque && !colorMapOf(*surface.material).empty();
 }
 
-Cutout SurfaceShading::holes(const sim::Surface& surface, float least) {
+Cutout SurfaceShading::holes(const sim::Surface& surface, float minimum) {
   const scene::Material& material = *surface.material;
   const glm::ivec4 map = maps_.place(colorMapOf(material), MapTexels::Holds::color);
   return {.uv = uvOf(surface),
           .textureScale = glm::vec2(material.textureScale),
           .colorMap = map,
-          .opacityLimit = glm::vec2(material.finish.opacity, least),
+          .opacityLimit = glm::vec2(material.finish.opacity, minimum),
           .texels = maps_.texels()};
 }
 

@@ -55,9 +55,9 @@ class SurfaceShading {
                    const SceneLight& light);
 
   /// hasHoles() returns true if the opacity of the surface varies. holes() returns the kernel inputs that
-  /// describe the holes. Kernels with these inputs skip samples whose opacity is below `least`.
+  /// describe the holes. Kernels with these inputs skip samples whose opacity is below `minimum`.
   [[nodiscard]] static bool hasHoles(const sim::Surface& surface);
-  [[nodiscard]] Cutout holes(const sim::Surface& surface, float least);
+  [[nodiscard]] Cutout holes(const sim::Surface& surface, float minimum);
   /// Sets the lighting variant that later shade calls use. The lights stay the same.
   void light(const ThingVariant& variant) { lighting_.variant = variant; }
   /// Returns the colour map of a material: the map of its finish, or its texture.
@@ -67,7 +67,9 @@ class SurfaceShading {
   [[nodiscard]] static bool textureRepeats(const sim::Surface& surface);
   /// Sets the function that returns a material's index (owner) in the path tracer's material table. Shading
   /// kernels that store spots also store this index.
-  void ownBy(std::function<unsigned(const scene::Material&)> owner) { owner_ = std::move(owner); }
+  void setOwnerFunction(std::function<unsigned(const scene::Material&)> owner) {
+    owner_ = std::move(owner);
+  }
   [[nodiscard]] MapTexels& maps() { return maps_; }
   [[nodiscard]] const SkinTexels& skinTexels() const { return skinTexels_; }
   /// Selects the output of later shade calls. 0 selects light. i selects layer i of `shownLayers`, counted

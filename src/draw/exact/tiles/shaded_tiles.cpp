@@ -96,8 +96,10 @@ void ShadedTiles::list(const std::vector<unsigned>& firstIds, const Visibility& 
   things_ = static_cast<int>(firstIds.size());
   if (things_ > maxThings)
     fail(ExitCode::device,
-         "the exact rasterizer draws {} things at once, not {}; set \"rasterizer\" to \"driver\"",
-         maxThings, things_);
+         "the picture has {} surfaces and groups of copies, but the exact rasterizer supports at most {}; "
+         "set "
+         "\"rasterizer\" to \"driver\"",
+         things_, maxThings);
   const std::size_t lists = firstIds.size() + 2;
   const std::size_t tiles = static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y);
   reserve(firstIds_, firstIdView_, "first numbers", lists * sizeof(GLuint), GL_R32UI, sizeof(GLuint));

@@ -19,8 +19,8 @@ struct TileKernel;
 struct GroundPlace {
   glm::ivec2 rows{0};  ///< range of tile rows whose rays may hit the ground, computed by
                        ///< rowsTowardsGround()
-  glm::vec4 near{0};   ///< nearness of the ground as a function of the pixel, computed by nearOfGround()
-  glm::vec3 rays{0};   ///< bounds of the ray directions, computed by raysAside()
+  glm::vec4 near{0};  ///< nearness of the ground as a function of the pixel, computed by groundNearnessOf()
+  glm::vec3 rays{0};  ///< bounds of the ray directions, computed by rayBounds()
 };
 
 /// Lists, for each object, the tiles of the picture that show it, so that shading kernels run only on these

@@ -37,9 +37,9 @@ struct JoinKernel {
 namespace {
 
 constexpr std::size_t fewest = 3;
-constexpr std::int64_t mostVertices = 1 << 22;
-constexpr std::int64_t mostMoving = 1 << 18;  ///< max number of vertices that are transformed in every
-                                              ///< frame
+constexpr std::int64_t vertexLimit = 1 << 22;
+constexpr std::int64_t maxMoving = 1 << 18;  ///< max number of vertices that are transformed in every
+                                             ///< frame
 
 }  // namespace
 
@@ -59,13 +59,13 @@ bool JoinedSurfaces::suits(const std::vector<sim::Surface>& surfaces) {
   std::int64_t triangles = 0;
   for (const sim::Surface& surface : surfaces) {
     // Unused vertices would enlarge the bounds of the sun's shadow map.
-    if (surface.arguments != nullptr || surface.vertexRoom > surface.vertexCount) return false;
+    if (surface.arguments != nullptr || surface.vertexCapacity > surface.vertexCount) return false;
     if (castsShadow(surface) != castsShadow(surfaces.front())) return false;
     vertices += surface.vertexCount;
     moving += surface.still == 0 ? surface.vertexCount : 0;
     triangles += maxTrianglesOf(surface);
   }
-  return vertices <= mostVertices && moving <= mostMoving && triangles <= mostVertices;
+  return vertices <= vertexLimit && moving <= maxMoving && triangles <= vertexLimit;
 }
 
 void JoinedSurfaces::makeRoom(std::size_t vertices, std::size_t triangles, std::size_t surfaces) {

@@ -26,7 +26,7 @@ glm::ivec2 sizeOf(const Visibility& into, const MapPart& part) {
 void TriangleRaster::clipLarge(const Visibility& into) {
   if (into_ == Into::sunMap || fanRoom_ == 0) return;
   if (faceViews_ == nullptr)
-    groups_.fill(counters_, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles},
+    groups_.fill(counters_, {.counts = static_cast<int>(entries_.size()), .each = groupTriangles},
                  clipGroups_);
   run(Step::clip, 0, into);
 }
@@ -38,8 +38,8 @@ RasterTriangles TriangleRaster::raster(const Drawn& drawn, const Visibility& int
           .firstId = drawn.firstId,
           .slopeOffset = drawn.face.part.slopeOffset,
           .doubleSided = map || drawn.surface->doubleSided,
-          .draw = static_cast<int>(&drawn - asked_.data()),
-          .draws = static_cast<int>(asked_.size())};
+          .draw = static_cast<int>(&drawn - entries_.data()),
+          .draws = static_cast<int>(entries_.size())};
 }
 
 RasterVariant TriangleRaster::variant(const Visibility& into, int pass) const {
@@ -94,8 +94,8 @@ void TriangleRaster::runKernel(Step step, bool clips, const RasterVariant& varia
 
 void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips) {
   if (faceViews_ != nullptr) return runFaces(step, pass, into, clips);
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
-    const Drawn& drawn = asked_[i];
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Drawn& drawn = entries_[i];
     if (clips && drawn.fans == drawn.maxTriangles) continue;
     const sim::Surface* const own = into_ == Into::lampMap ? fragments_.only : drawn.surface;
     const bool cuts = step == Step::large && own != nullptr && fragments_.cut && fragments_.cut(*own);
@@ -126,7 +126,7 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
         GroupCounts::dispatchFixed(kernel, 1, given);
       else if (step == Step::large)
         GroupCounts::dispatchList(kernel, clips ? roomlessGroups_ : largeGroups_, i,
-                                  partsFor(sizeOf(into, drawn.face.part), samples_), given);
+                                  workgroupsFor(sizeOf(into, drawn.face.part), samples_), given);
       else
         GroupCounts::dispatch(kernel, step == Step::small ? surfaceGroups_ : clipGroups_, i, given);
     });
@@ -138,18 +138,18 @@ void TriangleRaster::runFaces(Step step, int pass, const Visibility& into, bool 
   // triangles differs much between faces and many workgroups therefore have no work.
   constexpr unsigned groups = 24576;
   constexpr unsigned fewParts = 16;  // workgroups per large triangle; most of these triangles are small
-  const Drawn& first = asked_.front();
+  const Drawn& first = entries_.front();
   if (clips && first.fans == first.maxTriangles) return;
   RasterVariant kind = variant(into, pass);
   kind.faces = step == Step::large ? 1 : 2;
   RasterTriangles triangles = raster(first, into);
   triangles.into.view = *faceViews_;
   triangles.firstView = firstView_;
-  const auto faces = static_cast<GLuint>(asked_.size());
+  const auto faces = static_cast<GLuint>(entries_.size());
   const GLuint each = std::max(groups / faces, 1U);
   glm::ivec2 largest(0);
-  for (const Drawn& drawn : asked_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
-  const unsigned parts = std::max(fewParts, leastParts(largest, samples_));
+  for (const Drawn& drawn : entries_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
+  const unsigned parts = std::max(fewParts, minWorkgroups(largest, samples_));
   const auto needed = static_cast<GLuint>(first.maxTriangles) / groupTriangles + 1;
   runKernel(step, clips, kind, triangles, first, [&](const auto& kernel, const auto& given) {
     if (step == Step::large)
@@ -160,18 +160,19 @@ void TriangleRaster::runFaces(Step step, int pass, const Visibility& into, bool 
 }
 
 void TriangleRaster::prepareLarge(glm::ivec2 size) {
-  const unsigned parts = partsFor(size, samples_);
-  const int draws = static_cast<int>(asked_.size());
-  GroupCounts::Order order{.firstCount = binned_ && into_ != Into::sunMap ? draws : 0,
-                           .counts = draws,
-                           .parts = parts,
-                           .fewerParts = gl::softwareDriver() ? leastParts(size, samples_) : parts};
+  const unsigned parts = workgroupsFor(size, samples_);
+  const int draws = static_cast<int>(entries_.size());
+  GroupCounts::CountConversion order{
+      .firstCount = binned_ && into_ != Into::sunMap ? draws : 0,
+      .counts = draws,
+      .parts = parts,
+      .minGroupsZ = gl::softwareDriver() ? minWorkgroups(size, samples_) : parts};
   if (into_ != Into::sunMap && fanRoom_ > 0) {
     // Splits each list into the entries that have a clipped triangle (fan) and the entries that have none.
-    const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(asked_.size()));
-    order.most = room;
-    GroupCounts::Order others = order;
-    others.most = ~0U;
+    const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(entries_.size()));
+    order.maximum = room;
+    GroupCounts::CountConversion others = order;
+    others.maximum = ~0U;
     others.skipped = room;
     groups_.prepareLists(counters_, others, roomlessGroups_);
   }
@@ -188,12 +189,12 @@ void TriangleRaster::runLists(int pass, const Visibility& into) {
 void TriangleRaster::fillGroups() {
   if (faceViews_ != nullptr) return;
   if (into_ == Into::lampMap) {
-    groups_.fill(*lists_.counts, {.counts = static_cast<int>(asked_.size()), .each = groupTriangles},
+    groups_.fill(*lists_.counts, {.counts = static_cast<int>(entries_.size()), .each = groupTriangles},
                  surfaceGroups_);
     return;
   }
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
-    const sim::Surface& surface = *asked_[i].surface;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const sim::Surface& surface = *entries_[i].surface;
     if (surface.arguments == nullptr) continue;
     groups_.fill(*surface.arguments, {.first = static_cast<int>(i), .each = 3 * groupTriangles},
                  surfaceGroups_);
@@ -203,60 +204,60 @@ void TriangleRaster::fillGroups() {
 void TriangleRaster::drawBinned(const Visibility& into) {
   if (into_ != Into::lampMap) return bins_.draw(into_, into);
   bins_.draw(into_, into,
-             [&](int face) -> const MapFace& { return asked_[static_cast<std::size_t>(face)].face; });
+             [&](int face) -> const MapFace& { return entries_[static_cast<std::size_t>(face)].face; });
 }
 
 void TriangleRaster::draw(const Visibility& into, const MapPart& part) {
-  asked_ = drawn_;
+  entries_ = drawn_;
   joined_ = nullptr;
-  drawAsked(into, part);
+  drawEntries(into, part);
 }
 
 void TriangleRaster::drawJoined(const Visibility& into, const JoinedSurfaces& joined) {
   const sim::Surface& surface = joined.surface();
-  whole_.surface = &surface;
-  whole_.maxTriangles = maxTrianglesOf(surface);
-  if (whole_.indices)
-    whole_.indices.attach(*surface.indices, sizeof(GLuint));
+  joinedEntry_.surface = &surface;
+  joinedEntry_.maxTriangles = maxTrianglesOf(surface);
+  if (joinedEntry_.indices)
+    joinedEntry_.indices.attach(*surface.indices, sizeof(GLuint));
   else
-    whole_.indices = gl::Texture::view("joined indices", GL_R32UI, *surface.indices, sizeof(GLuint));
-  whole_.fans = std::min(whole_.maxTriangles, fanRoom_);
-  reserveLists(1, whole_.maxTriangles, whole_.fans);
-  asked_ = {&whole_, 1};
+    joinedEntry_.indices = gl::Texture::view("joined indices", GL_R32UI, *surface.indices, sizeof(GLuint));
+  joinedEntry_.fans = std::min(joinedEntry_.maxTriangles, fanRoom_);
+  reserveLists(1, joinedEntry_.maxTriangles, joinedEntry_.fans);
+  entries_ = {&joinedEntry_, 1};
   joined_ = &joined;
-  drawAsked(into, {});
+  drawEntries(into, {});
 }
 
 void TriangleRaster::drawNearest(const Visibility& into) {
-  asked_ = drawn_;
+  entries_ = drawn_;
   joined_ = nullptr;
-  if (!asked_.empty()) drawNearestAsked(into, {});
+  if (!entries_.empty()) drawNearestOfEntries(into, {});
 }
 
-void TriangleRaster::drawNumbers(const Visibility& into) {
-  if (!asked_.empty()) drawNumbersAsked(into);
+void TriangleRaster::drawIds(const Visibility& into) {
+  if (!entries_.empty()) drawIdsOfEntries(into);
 }
 
-void TriangleRaster::drawAsked(const Visibility& into, const MapPart& part) {
-  if (asked_.empty()) return;
-  drawNearestAsked(into, part);
-  drawNumbersAsked(into);
+void TriangleRaster::drawEntries(const Visibility& into, const MapPart& part) {
+  if (entries_.empty()) return;
+  drawNearestOfEntries(into, part);
+  drawIdsOfEntries(into);
 }
 
-void TriangleRaster::drawNearestAsked(const Visibility& into, const MapPart& part) {
+void TriangleRaster::drawNearestOfEntries(const Visibility& into, const MapPart& part) {
   constexpr GLuint zero = 0;
   glClearNamedBufferData(counters_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
   glm::ivec2 largest(0);
   if (into_ != Into::lampMap) {
-    for (Drawn& drawn : asked_) drawn.face.part = part;
+    for (Drawn& drawn : entries_) drawn.face.part = part;
     makeVertices(into);
   }
-  for (const Drawn& drawn : asked_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
-  const Drawn& last = asked_.back();
-  const int faces = into_ == Into::lampMap ? static_cast<int>(asked_.size()) : 0;
+  for (const Drawn& drawn : entries_) largest = glm::max(largest, sizeOf(into, drawn.face.part));
+  const Drawn& last = entries_.back();
+  const int faces = into_ == Into::lampMap ? static_cast<int>(entries_.size()) : 0;
   const int triangles = faces > 0 ? last.maxTriangles : last.firstIndex / 3 + last.maxTriangles;
   binned_ = binRoom_ > 0 && (into_ == Into::sunMap || fanRoom_ > 0) && mediumPixels_ <= smallPixels_ &&
-            faceViews_ == nullptr && into.layout() == SampleLayout::apart &&
+            faceViews_ == nullptr && into.layout() == SampleLayout::separate &&
             TriangleBins::holds(triangles, faces);
   if (binned_ && into_ != Into::sunMap)
     reserve(left_, leftView_, "large triangles left", large_.bytes(), GL_R32UI, sizeof(GLuint));
@@ -270,7 +271,7 @@ void TriangleRaster::drawNearestAsked(const Visibility& into, const MapPart& par
   if (binned_) drawBinned(into);
 }
 
-void TriangleRaster::drawNumbersAsked(const Visibility& into) {
+void TriangleRaster::drawIdsOfEntries(const Visibility& into) {
   if (into_ != Into::picture || into.layout() == SampleLayout::wholes) return;
   if (!binned_) run(Step::small, 1, into);
   runLists(1, into);

@@ -50,9 +50,8 @@ void TriangleRaster::number(const std::vector<const sim::Surface*>& surfaces, un
     triangles += next.maxTriangles;
     if (3 * triangles > INT32_MAX || vertices > INT32_MAX || firstId + triangles > maxIds)
       fail(ExitCode::device,
-           "the exact rasterizer numbers {} triangles of one picture, and these are more; set "
-           "\"rasterizer\" "
-           "to \"driver\"",
+           "the picture has more than {} triangles, the limit of the exact rasterizer; reduce them, or set "
+           "\"rasterizer\" to \"driver\"",
            INT32_MAX / 3);
   }
   reserve(vertices_, vertexView_, "vertices on the picture", static_cast<std::size_t>(vertices) * 16,
@@ -100,7 +99,7 @@ void TriangleRaster::reserveLists(std::size_t draws, std::int64_t triangles, int
 }
 
 void TriangleRaster::makeVertices(const Visibility& into) {
-  for (const Drawn& drawn : asked_) {
+  for (const Drawn& drawn : entries_) {
     const sim::Surface& surface = *drawn.surface;
     vertexKernels_
         .of({.surface = worldVariant(surface),

@@ -19,7 +19,7 @@ class JoinedSurfaces;
 /// These functions return the max number of vertices and triangles of a surface, derived from its buffer
 /// sizes.
 [[nodiscard]] inline int verticesOf(const sim::Surface& surface) {
-  return std::max(surface.vertexCount, surface.vertexRoom);
+  return std::max(surface.vertexCount, surface.vertexCapacity);
 }
 [[nodiscard]] inline int maxTrianglesOf(const sim::Surface& surface) {
   const std::size_t indices = surface.arguments == nullptr ? static_cast<std::size_t>(surface.indexCount)
@@ -68,7 +68,8 @@ class TriangleRaster {
   /// Sixteen invocations rasterize a medium triangle, of at most `mediumPixels` (up to 64) per side.
   /// Workgroups rasterize larger triangles, tile by tile. The limits do not change the result. Up to
   /// `fanRoom` large triangles (128 bytes each) are clipped once for all invocations that rasterize them.
-  /// `binRoom`: max number of small triangles that are binned by tile; only for the sample layout `apart`.
+  /// `binRoom`: max number of small triangles that are binned by tile; only for the sample layout
+  /// `separate`.
   TriangleRaster(Into into, int samples, int smallPixels = smallTriangle(), int fanRoom = fansOfTriangles(),
                  int mediumPixels = mediumTriangle(), int binRoom = binnedTriangles());
 
@@ -119,22 +120,22 @@ class TriangleRaster {
   /// its transform must be bound. For lamp maps this function binds the views of the faces.
   void draw(const Visibility& into, const MapPart& part = {});
   /// These functions are the two steps of draw() for pictures. drawNearest() writes the depth keys, before
-  /// any object writes ids. drawNumbers() writes the ids, after all objects have written their keys.
+  /// any object writes ids. drawIds() writes the ids, after all objects have written their keys.
   void drawNearest(const Visibility& into);
-  void drawNumbers(const Visibility& into);
+  void drawIds(const Visibility& into);
   /// Rasterizes the prepared surfaces in one pass, as the joined mesh.
   void drawJoined(const Visibility& into, const JoinedSurfaces& joined);
   [[nodiscard]] const std::vector<Drawn>& drawn() const { return drawn_; }
   /// Returns the shader inputs of kernels that read the triangles of an entry of drawn().
   [[nodiscard]] TriangleSource source(const Drawn& drawn) const;
   /// Returns the shader inputs for the joined surfaces that were drawn last.
-  [[nodiscard]] TriangleSource wholeSource() const { return source(whole_); }
+  [[nodiscard]] TriangleSource wholeSource() const { return source(joinedEntry_); }
 
  private:
   enum class Step { small, medium, clip, large };
-  void drawAsked(const Visibility& into, const MapPart& part);
-  void drawNearestAsked(const Visibility& into, const MapPart& part);
-  void drawNumbersAsked(const Visibility& into);
+  void drawEntries(const Visibility& into, const MapPart& part);
+  void drawNearestOfEntries(const Visibility& into, const MapPart& part);
+  void drawIdsOfEntries(const Visibility& into);
   void makeVertices(const Visibility& into);
   void clipLarge(const Visibility& into);
   void prepareLarge(glm::ivec2 size);
@@ -170,8 +171,8 @@ class TriangleRaster {
   const gl::Buffer* faceViews_ = nullptr;  ///< views of all lamp maps, if they are drawn in one dispatch
   int firstView_ = 0;
   std::vector<Drawn> drawn_;
-  std::span<Drawn> asked_;                  ///< entries to draw: all entries of drawn_, or only whole_
-  Drawn whole_;                             ///< the joined surfaces as one entry
+  std::span<Drawn> entries_;                ///< entries to draw: all entries of drawn_, or only whole_
+  Drawn joinedEntry_;                       ///< the joined surfaces as one entry
   const JoinedSurfaces* joined_ = nullptr;  ///< the joined surfaces while they are being drawn; otherwise
                                             ///< null
   gl::Buffer vertices_, large_, counters_, largeGroups_, surfaceGroups_, fans_, clipGroups_,

@@ -93,12 +93,12 @@ std::string bitFormula(const CellRule& rule) {
   constexpr int shuffles = 24;
   Order order{4, 1, 3, 5, 7, 0, 2, 6, 8};
   std::string best;
-  std::size_t least = 0;
+  std::size_t minimum = 0;
   unsigned random = 1;
   for (int trial = 0; trial <= shuffles; ++trial) {
     const Diagram diagram(rule, order);
-    if (trial == 0 || diagram.size() < least) {
-      least = diagram.size();
+    if (trial == 0 || diagram.size() < minimum) {
+      minimum = diagram.size();
       best = diagram.text();
     }
     for (std::size_t i = order.size() - 1; i > 0; --i) {

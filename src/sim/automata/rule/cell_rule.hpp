@@ -52,7 +52,7 @@ struct WideRule {
   };
   [[nodiscard]] Span span(int dy) const;
   /// Returns the maximum possible count, including the centre.
-  [[nodiscard]] int most() const;
+  [[nodiscard]] int maximum() const;
 };
 
 /// Cyclic automaton (Griffeath 1988): a cell advances to the next state (0 after the last) if at least

@@ -77,9 +77,11 @@ class NeighbourhoodReader {
 
  private:
   void named(char letter, std::size_t at) {
-    const int most = letter == 'L' ? maxTriangleRange : letter == 'G' ? maxGaussianRange : maxPlacesRange;
-    if (rule_.range > most) {
-      reader_.wrong(at, fmt::format("the range of this neighbourhood is {} at most", most));
+    const int maximum = letter == 'L'   ? maxTriangleRange
+                        : letter == 'G' ? maxGaussianRange
+                                        : maxPlacesRange;
+    if (rule_.range > maximum) {
+      reader_.wrong(at, fmt::format("the range of this neighbourhood is {} at most", maximum));
       return;
     }
     rule_.places = placesOfShape(letter, rule_.range);

@@ -81,7 +81,7 @@ class WideReader {
   }
   /// Returns the maximum of a limit. It is very large if the neighbourhood has an error, which is reported
   /// after the limits.
-  [[nodiscard]] int most() const { return problemAfter_.message.empty() ? wide_.most() : 1'000'000; }
+  [[nodiscard]] int maximum() const { return problemAfter_.message.empty() ? wide_.maximum() : 1'000'000; }
   void tellAfter() {
     if (!problemAfter_.message.empty()) reader_.wrong(problemAfter_.at, problemAfter_.message);
   }
@@ -93,10 +93,10 @@ class WideReader {
     reader_.expect(',');
     if (wide_.shape != NeighbourShape::places || hood_[0] != 'W') wide_.middle = middle == 1;
     reader_.expect('S');
-    reader_.limits("..", "a limit of S", most(), wide_.survive);
+    reader_.limits("..", "a limit of S", maximum(), wide_.survive);
     reader_.expect(',');
     reader_.expect('B');
-    reader_.limits("..", "a limit of B", most(), wide_.born);
+    reader_.limits("..", "a limit of B", maximum(), wide_.born);
     tellAfter();
     if (hood_.empty()) {
       reader_.expect(',');
@@ -111,10 +111,10 @@ class WideReader {
     const bool own = !hood_.empty() && hood_[0] == 'W';  // true if the neighbourhood gives explicit
                                                          // weights, which include the centre
     reader_.expect('S');
-    reader_.list("a count of S", most() - (own ? 0 : 1), wide_.survive);
+    reader_.list("a count of S", maximum() - (own ? 0 : 1), wide_.survive);
     reader_.expect(',');
     reader_.expect('B');
-    reader_.list("a count of B", most() - (own ? 0 : 1), wide_.born);
+    reader_.list("a count of B", maximum() - (own ? 0 : 1), wide_.born);
     tellAfter();
     name_ = fmt::format("R{},C{},S{},B{}{}{}", range_, states_ < 3 ? 0 : states_, listText(wide_.survive),
                         listText(wide_.born), hood_.empty() || hood_ == "M" ? "" : ",N",
@@ -141,9 +141,9 @@ WideRule::Span WideRule::span(int dy) const {
       break;
     case NeighbourShape::circular:
     case NeighbourShape::euclidean: {
-      const int most = range * range + (shape == NeighbourShape::circular ? range : 0);
+      const int maximum = range * range + (shape == NeighbourShape::circular ? range : 0);
       across = 0;
-      while ((across + 1) * (across + 1) + row * row <= most) ++across;
+      while ((across + 1) * (across + 1) + row * row <= maximum) ++across;
       break;
     }
     case NeighbourShape::cross:
@@ -157,7 +157,7 @@ WideRule::Span WideRule::span(int dy) const {
   return {-across, across};
 }
 
-int WideRule::most() const {
+int WideRule::maximum() const {
   int count = 0;
   if (shape == NeighbourShape::places) {
     for (const NeighbourPlace& place : places) count += std::max(place.weight, 0);
@@ -174,9 +174,9 @@ RuleProblem parseWide(std::string_view text, CellRule& rule) {
   wide.middle = true;
   reader.number("the range", 1, maxWideRange, wide.range);
   reader.expect(',');
-  reader.limits(",", "a limit of birth", wide.most(), wide.born);
+  reader.limits(",", "a limit of birth", wide.maximum(), wide.born);
   reader.expect(',');
-  reader.limits(",", "a limit of survival", wide.most(), wide.survive);
+  reader.limits(",", "a limit of survival", wide.maximum(), wide.survive);
   reader.end();
   if (!reader.good()) return reader.problem();
   rule = CellRule();
@@ -199,7 +199,7 @@ RuleProblem parseCyclic(std::string_view text, CellRule& rule) {
   WideRule around;
   around.range = cyclic.range;
   if (four) around.shape = NeighbourShape::vonNeumann;
-  reader.number("the threshold", 1, around.most() - 1, cyclic.threshold);
+  reader.number("the threshold", 1, around.maximum() - 1, cyclic.threshold);
   reader.expect('/');
   reader.expect('C');
   reader.number("the number of states", 2, 256, states);

@@ -48,7 +48,7 @@ ReadableFolders::~ReadableFolders() {
   readable.clear();
 }
 
-fs::path besidePath(const fs::path& mesh, std::string_view name) {
+fs::path resolveInMeshFolder(const fs::path& mesh, std::string_view name) {
   fs::path path = mesh.parent_path() / name;
   std::error_code error;
   if (name.find('\\') == std::string_view::npos || fs::exists(path, error)) return path;

@@ -26,7 +26,8 @@ constexpr int maxNodeDepth = 256;
 
 /// Returns the path of a file that a mesh refers to, relative to the mesh's folder. If no file has the
 /// literal name, replaces backslashes by slashes and removes backslashes before blanks.
-[[nodiscard]] std::filesystem::path besidePath(const std::filesystem::path& mesh, std::string_view name);
+[[nodiscard]] std::filesystem::path resolveInMeshFolder(const std::filesystem::path& mesh,
+                                                        std::string_view name);
 
 /// Returns true if a file that a mesh refers to is in the mesh's folder or below it, after resolving links.
 [[nodiscard]] bool liesBeside(const std::filesystem::path& mesh, const std::filesystem::path& named);

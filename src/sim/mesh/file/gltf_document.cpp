@@ -98,8 +98,8 @@ void GltfDocument::checkVersion() const {
   const JsonValue written = asset.at("version");
   if (written.json().is_number() || !written.text().starts_with("2.")) refuse("is no glTF of version 2");
   if (!asset.has("minVersion")) return;
-  if (const std::string least = asset.at("minVersion").text(); least != "2.0")
-    refuse(fmt::format("requires glTF {}, but only glTF 2.0 is supported", oneLine(least.substr(0, 20))));
+  if (const std::string minimum = asset.at("minVersion").text(); minimum != "2.0")
+    refuse(fmt::format("requires glTF {}, but only glTF 2.0 is supported", oneLine(minimum.substr(0, 20))));
 }
 
 /// Returns the JSON of a binary file, which is its first chunk, and stores the binary data of the second

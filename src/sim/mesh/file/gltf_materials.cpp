@@ -51,10 +51,10 @@ std::uint64_t firstUvSet(const JsonValue& material) {
 /// Returns the transform u' = T R S u (translation, rotation, scale), where R is counter-clockwise as the
 /// image is displayed, with v pointing down.
 TexturePlace transformedPlace(const JsonValue& transform) {
-  constexpr float most = 1e6F;
+  constexpr float maximum = 1e6F;
   const auto pair = [&](const char* key, float otherwise) {
     const std::vector<float> v = GltfDocument::numbers(transform, key, 2);
-    return v.empty() ? glm::vec2(otherwise) : glm::clamp(glm::vec2(v[0], v[1]), -most, most);
+    return v.empty() ? glm::vec2(otherwise) : glm::clamp(glm::vec2(v[0], v[1]), -maximum, maximum);
   };
   const glm::vec2 scale = pair("scale", 1);
   const auto rotation = transform.find("rotation");

@@ -44,7 +44,7 @@ void eachKey(std::string_view text, const Each& each) {
 /// line is split after each ".mtl", or into its words if it does not end in ".mtl".
 std::vector<std::string> libraryNames(const std::filesystem::path& mesh, std::string_view line) {
   std::error_code error;
-  if (std::filesystem::exists(besidePath(mesh, line), error)) return {std::string(line)};
+  if (std::filesystem::exists(resolveInMeshFolder(mesh, line), error)) return {std::string(line)};
   std::vector<std::string> byEnd, words;
   std::string name;
   for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
@@ -99,7 +99,7 @@ class LibraryReader {
   /// Returns the text of a file in the mesh's folder. If the file is not readable, reports it as ignored
   /// and returns nothing.
   std::optional<std::string> beside(const std::string& name, const char* what) {
-    const std::filesystem::path path = besidePath(file_, name);
+    const std::filesystem::path path = resolveInMeshFolder(file_, name);
     const std::string why = whyUnread(file_, path);
     if (why.empty()) return readFile(path, what);
     mesh_.ignored.push_back(fmt::format("{} ({})", name, why));
@@ -344,7 +344,7 @@ class LibraryReader {
 
 void checkLibrary(const std::filesystem::path& file, const std::string& line) {
   for (const std::string& name : libraryNames(file, line))
-    if (!liesBeside(file, besidePath(file, name)))
+    if (!liesBeside(file, resolveInMeshFolder(file, name)))
       refuseMesh(file, fmt::format("names {}, which lies outside its folder", name));
 }
 

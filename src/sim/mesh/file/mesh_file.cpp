@@ -34,14 +34,15 @@ Mesh importMesh(const std::filesystem::path& file, MeshNormals normals) {
   return extension == ".obj" ? readObj(file, text, normals) : readPly(file, text);
 }
 
-std::string readApart(const std::filesystem::path& file, const std::function<std::string()>& read) {
+std::string readInSeparateProcess(const std::filesystem::path& file,
+                                  const std::function<std::string()>& read) {
   std::error_code unknown;
   const auto size = std::filesystem::file_size(file, unknown);
   const std::size_t bytes = unknown ? 0 : size;
   // Parsing text takes some 30 bytes of memory per byte; glTF validates its sizes before it allocates
   // memory.
-  const Allotment allotment{isGltf(file) ? std::size_t{4} << 30 : (std::size_t{256} << 20) + 64 * bytes,
-                            10 + static_cast<int>(std::min<std::size_t>(bytes >> 20U, 3600))};
+  const ProcessLimits allotment{isGltf(file) ? std::size_t{4} << 30 : (std::size_t{256} << 20) + 64 * bytes,
+                                10 + static_cast<int>(std::min<std::size_t>(bytes >> 20U, 3600))};
   // The folders are looked up before the fork, because the child of a multithreaded process must not wait
   // for a lock that another thread holds.
   const ReadableFolders readable(file);
@@ -55,7 +56,7 @@ std::string readApart(const std::filesystem::path& file, const std::function<std
 }
 
 Mesh loadMesh(const std::filesystem::path& file, MeshNormals normals) {
-  return unpacked<Mesh>(readApart(file, [&] { return packed(importMesh(file, normals)); }));
+  return unpacked<Mesh>(readInSeparateProcess(file, [&] { return packed(importMesh(file, normals)); }));
 }
 
 }  // namespace simreel::sim

@@ -126,7 +126,7 @@ inline constexpr const char* meshEndings = ".obj, .ply, .stl, .gltf and .glb";
 
 /// Runs `read` in a separate process, as loadMesh() does, and returns its result. Serves other readers of
 /// mesh files.
-[[nodiscard]] std::string readApart(const std::filesystem::path& file,
-                                    const std::function<std::string()>& read);
+[[nodiscard]] std::string readInSeparateProcess(const std::filesystem::path& file,
+                                                const std::function<std::string()>& read);
 
 }  // namespace simreel::sim

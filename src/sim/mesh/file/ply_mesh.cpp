@@ -34,7 +34,7 @@ struct VertexLayout {
 };
 
 template <std::size_t count>
-bool allThere(const std::array<int, count>& properties) {
+bool areComplete(const std::array<int, count>& properties) {
   return std::all_of(properties.begin(), properties.end(), [](int property) { return property >= 0; });
 }
 
@@ -77,7 +77,7 @@ class PlyMesh {
 
  private:
   static constexpr std::size_t noElement = std::numeric_limits<std::size_t>::max();
-  static constexpr std::size_t mostKinds = 12;
+  static constexpr std::size_t kindLimit = 12;
   struct Indices {
     std::size_t property;
     bool strips;
@@ -92,7 +92,7 @@ class PlyMesh {
         throw PolygonProblem(fmt::format("has more than {} vertices; simplify it", maxMeshItems));
       vertices_ = number;
       layout_ = VertexLayout(element);
-      if (!allThere(layout_.place)) throw PolygonProblem("has vertices without x, y and z");
+      if (!areComplete(layout_.place)) throw PolygonProblem("has vertices without x, y and z");
       for (std::size_t k = 0; k < 4; ++k)
         if (layout_.color[k] >= 0)
           brightest_[k] = brightest(element.properties[static_cast<std::size_t>(layout_.color[k])].type);
@@ -109,7 +109,7 @@ class PlyMesh {
         mesh_.ignored.emplace_back("the texture coordinates of its faces");
       return;
     }
-    if (mesh_.undrawn.size() >= mostKinds) return;
+    if (mesh_.undrawn.size() >= kindLimit) return;
     mesh_.undrawn.push_back(
         element.name == "edge"
             ? fmt::format("edges ({})", element.count)
@@ -121,9 +121,9 @@ class PlyMesh {
       return static_cast<float>(values[static_cast<std::size_t>(property)]);
     };
     places_.emplace_back(at(layout_.place[0]), at(layout_.place[1]), at(layout_.place[2]));
-    if (allThere(layout_.normal))
+    if (areComplete(layout_.normal))
       normals_.emplace_back(at(layout_.normal[0]), at(layout_.normal[1]), at(layout_.normal[2]));
-    if (allThere(layout_.uv)) uvs_.emplace_back(at(layout_.uv[0]), at(layout_.uv[1]));
+    if (areComplete(layout_.uv)) uvs_.emplace_back(at(layout_.uv[0]), at(layout_.uv[1]));
     const auto color = [&](std::size_t k) {
       return static_cast<float>(values[static_cast<std::size_t>(layout_.color[k])] / brightest_[k]);
     };

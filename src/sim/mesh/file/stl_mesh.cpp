@@ -24,7 +24,7 @@ constexpr std::size_t headerBytes = 80, countBytes = 4, facetBytes = 50, normalB
 /// Cosine of the largest angle between faces that are drawn as one smooth surface: 30 degrees.
 constexpr double creaseCosine = 0.8660254037844386;
 /// Vertices with more faces than this, such as the tip of a finely divided cone, are drawn with flat faces.
-constexpr std::size_t mostSmoothed = 256;
+constexpr std::size_t maxSmoothed = 256;
 
 /// Facets of an STL file with three corners each.
 struct Facets {
@@ -197,7 +197,7 @@ class Creases {
   [[nodiscard]] glm::vec3 at(std::size_t corner) const {
     const unsigned vertex = vertices_[corner];
     const glm::dvec3 own = units_[corner / 3];
-    if (first_[vertex + 1] - first_[vertex] > mostSmoothed) return glm::vec3(own);
+    if (first_[vertex + 1] - first_[vertex] > maxSmoothed) return glm::vec3(own);
     glm::dvec3 sum(0);
     for (std::size_t i = first_[vertex]; i < first_[vertex + 1]; ++i)
       if (glm::dot(units_[around_[i]], own) >= creaseCosine) sum += normals_[around_[i]];

@@ -162,11 +162,12 @@ RulePlanes& RuleField::array(RuleArray which) {
   return next;
 }
 
-std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass, std::span<const float> values) {
+std::vector<float> ruleUniformsOf(const RuleGraph& graph, const RulePass& pass,
+                                  std::span<const float> values) {
   // The arguments of uniform nodes are also uniform and precede these nodes.
-  const int count = pass.told.empty() ? 0 : pass.told.back() + 1;
+  const int count = pass.uniforms.empty() ? 0 : pass.uniforms.back() + 1;
   std::vector<bool> needed(static_cast<std::size_t>(count));
-  for (const int node : pass.told) needed[static_cast<std::size_t>(node)] = true;
+  for (const int node : pass.uniforms) needed[static_cast<std::size_t>(node)] = true;
   for (int i = count - 1; i >= 0; --i)
     if (needed[static_cast<std::size_t>(i)])
       for (const int argument : {graph.at(i).a, graph.at(i).b, graph.at(i).c})
@@ -178,21 +179,22 @@ std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass, std::spa
     const RuleNode& node = graph.at(i);
     of[static_cast<std::size_t>(i)] =
         node.op == RuleOp::constant ? node.number
-        : node.op == RuleOp::told   ? values[static_cast<std::size_t>(node.index)]
-                                  : computed(node.op, argument(node.a), argument(node.b), argument(node.c));
+        : node.op == RuleOp::uniform
+            ? values[static_cast<std::size_t>(node.index)]
+            : computed(node.op, argument(node.a), argument(node.b), argument(node.c));
   }
-  std::vector<float> told;
-  for (const int node : pass.told) {
+  std::vector<float> uniforms;
+  for (const int node : pass.uniforms) {
     const float value = of[static_cast<std::size_t>(node)];
-    told.push_back(graph.isConstant(node) ? value : shader::reaction::grained(value, storedGrain));
+    uniforms.push_back(graph.isConstant(node) ? value : shader::reaction::grained(value, storedGrain));
   }
-  return told;
+  return uniforms;
 }
 
 // Evaluates one node at a time for a whole row of cells, so that the compiler can vectorize simple
 // operations.
-void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const float> told, unsigned step,
-                  RuleField& field) {
+void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const float> uniforms,
+                  unsigned step, RuleField& field) {
   const auto width = static_cast<std::size_t>(field.size.x);
   std::vector<std::vector<float>> rows(static_cast<std::size_t>(graph.size()));
   const auto rowOf = [&](int node) -> std::vector<float>& {
@@ -200,8 +202,8 @@ void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const 
     row.resize(width);
     return row;
   };
-  for (std::size_t i = 0; i < pass.told.size(); ++i)
-    std::fill_n(rowOf(pass.told[i]).begin(), width, told[i]);
+  for (std::size_t i = 0; i < pass.uniforms.size(); ++i)
+    std::fill_n(rowOf(pass.uniforms[i]).begin(), width, uniforms[i]);
   for (int r = 0; r < field.rows(); ++r) {
     const int y = r % field.size.y, z = r / field.size.y;
     for (const RulePass::Read& read : pass.reads) {
@@ -246,7 +248,7 @@ RulePlanes evaluateStarts(const Rule& rule, std::span<const float> values, RuleF
     if (!needed[static_cast<std::size_t>(i)]) continue;
     const RuleNode& node = graph.at(i);
     if (graph.isUniform(i)) {
-      pass.told.push_back(i);
+      pass.uniforms.push_back(i);
       continue;
     }
     if (node.op == RuleOp::weight) {
@@ -258,10 +260,10 @@ RulePlanes evaluateStarts(const Rule& rule, std::span<const float> values, RuleF
       if (argument >= 0) needed[static_cast<std::size_t>(argument)] = true;
   }
   std::reverse(pass.nodes.begin(), pass.nodes.end());
-  std::sort(pass.told.begin(), pass.told.end());
+  std::sort(pass.uniforms.begin(), pass.uniforms.end());
   const auto cells = static_cast<std::size_t>(field.size.x) * static_cast<std::size_t>(field.rows());
   field.next.assign(rule.starts.size(), std::vector<float>(cells));
-  evaluatePass(graph, pass, toldOf(graph, pass, values), 0, field);
+  evaluatePass(graph, pass, ruleUniformsOf(graph, pass, values), 0, field);
   return std::move(field.next);
 }
 

@@ -41,15 +41,15 @@ struct RuleField {
   [[nodiscard]] bool isVolume() const { return depth > 1; }
 };
 
-/// Returns the uniform values of a pass, in the order of its list `told`. `values` are indexed by
-/// ToldPlaces.
-[[nodiscard]] std::vector<float> toldOf(const RuleGraph& graph, const RulePass& pass,
-                                        std::span<const float> values);
+/// Returns the uniform values of a pass, in the order of its list `uniforms`. `values` are indexed by
+/// UniformIndex.
+[[nodiscard]] std::vector<float> ruleUniformsOf(const RuleGraph& graph, const RulePass& pass,
+                                                std::span<const float> values);
 
-/// Evaluates a pass for all cells. `told` is the result of toldOf(); `step` is the number of the step,
-/// which noise uses.
-void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const float> told, unsigned step,
-                  RuleField& field);
+/// Evaluates a pass for all cells. `uniforms` is the result of ruleUniformsOf(); `step` is the number of
+/// the step, which noise uses.
+void evaluatePass(const RuleGraph& graph, const RulePass& pass, std::span<const float> uniforms,
+                  unsigned step, RuleField& field);
 
 /// Returns the initial state: the values of the rule's `starts` in each cell.
 [[nodiscard]] RulePlanes evaluateStarts(const Rule& rule, std::span<const float> values, RuleField& field);

@@ -11,7 +11,7 @@ namespace simreel::sim {
 /// glsl/reaction/functions.glsl.
 enum class RuleOp : std::uint8_t {
   constant,  ///< the constant `number`
-  told,      ///< uniform value number `index` of a step
+  uniform,   ///< uniform value number `index` of a step
   species,   ///< value of species `index` in this cell
   weight,    ///< value of map number `index` in this cell, 0 to 1
   base,      ///< value of species `index` in this cell at the beginning of the step
@@ -73,7 +73,7 @@ class RuleGraph {
   /// `edges` and `corners` are the numbers of neighbours that the stencils of these names sum.
   explicit RuleGraph(int edges = 4, int corners = 4) : edges_(edges), corners_(corners) {}
   int constant(double value);
-  int told(int index) { return add({RuleOp::told, 0, index}, storedQuantum, true); }
+  int uniform(int index) { return add({RuleOp::uniform, 0, index}, storedQuantum, true); }
   /// Adds an input: species, weight, base, sum, x, y, z, noise or random.
   int input(RuleOp op, int index);
   /// Adds a stencil: sixfold, edges, corners, tips, across, down or deep.

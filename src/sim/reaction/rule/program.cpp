@@ -71,10 +71,10 @@ class Planning {
     return roots;
   }
 
-  /// Returns the node of u + dt k, rounded for storage, where `from` is u and `told` is the index of the
-  /// uniform factor dt.
-  int moved(int from, int told, int k) {
-    return graph_.settled(graph_.sum(from, graph_.rawProduct(graph_.told(told), k)));
+  /// Returns the node of u + dt k, rounded for storage, where `from` is u and `uniforms` is the index of
+  /// the uniform factor dt.
+  int moved(int from, int uniforms, int k) {
+    return graph_.settled(graph_.sum(from, graph_.rawProduct(graph_.uniform(uniforms), k)));
   }
 
   /// Returns the outputs of each stage, as given by the method's Butcher tableau.
@@ -90,10 +90,11 @@ class Planning {
         const int base = graph_.input(first ? RuleOp::species : RuleOp::base, index);
         const int sum = first ? k : graph_.sum(graph_.input(RuleOp::sum, index), weighted(method, last, k));
         if (!last) all[s].push_back({{RuleArray::sum, index}, graph_.settled(sum)});
-        const int step = !last ? (method == RuleMethod::rk4 && s < 2 ? ToldPlaces::halfDt : ToldPlaces::dt)
-                         : method == RuleMethod::euler ? ToldPlaces::dt
-                         : method == RuleMethod::heun  ? ToldPlaces::halfDt
-                                                       : ToldPlaces::sixthDt;
+        const int step =
+            !last ? (method == RuleMethod::rk4 && s < 2 ? UniformIndex::halfDt : UniformIndex::dt)
+            : method == RuleMethod::euler ? UniformIndex::dt
+            : method == RuleMethod::heun  ? UniformIndex::halfDt
+                                          : UniformIndex::sixthDt;
         const int next = rule_.nexts[i];
         all[s].push_back({{RuleArray::next, index},
                           next >= 0 ? graph_.settled(next) : moved(base, step, last ? sum : k)});
@@ -168,7 +169,7 @@ class Planning {
       if (!needed[static_cast<std::size_t>(i)]) continue;
       const RuleNode& node = graph_.at(i);
       if (graph_.isUniform(i)) {
-        pass.told.push_back(i);
+        pass.uniforms.push_back(i);
         pass.usesTime = pass.usesTime || dependsOnTime(i);
       } else if (const int* plane = storedBefore(i, level)) {
         pass.reads.push_back({i, RuleOp::species, {RuleArray::lets, *plane}});
@@ -185,7 +186,7 @@ class Planning {
       }
     }
     std::reverse(pass.nodes.begin(), pass.nodes.end());
-    std::sort(pass.told.begin(), pass.told.end());
+    std::sort(pass.uniforms.begin(), pass.uniforms.end());
     return pass;
   }
 
@@ -208,8 +209,8 @@ class Planning {
   [[nodiscard]] bool dependsOnTime(int node) const {
     const std::vector<bool> needed = neededBy({node});
     for (int i = 0; i < graph_.size(); ++i)
-      if (needed[static_cast<std::size_t>(i)] && graph_.at(i).op == RuleOp::told &&
-          graph_.at(i).index == ToldPlaces::time)
+      if (needed[static_cast<std::size_t>(i)] && graph_.at(i).op == RuleOp::uniform &&
+          graph_.at(i).index == UniformIndex::time)
         return true;
     return false;
   }
@@ -224,8 +225,8 @@ class Planning {
 }  // namespace
 
 int RulePass::placeOf(int node) const {
-  const auto found = std::lower_bound(told.begin(), told.end(), node);
-  return found != told.end() && *found == node ? static_cast<int>(found - told.begin()) : -1;
+  const auto found = std::lower_bound(uniforms.begin(), uniforms.end(), node);
+  return found != uniforms.end() && *found == node ? static_cast<int>(found - uniforms.begin()) : -1;
 }
 
 RuleProgram programOf(Rule& rule, RuleMethod method) {

@@ -33,13 +33,13 @@ struct RulePass {
     RulePlane plane;
   };
   std::vector<Read> reads;
-  std::vector<int> nodes;  ///< nodes to compute; arguments precede the nodes that use them
-  std::vector<int> told;   ///< uniform nodes, whose values the CPU computes
+  std::vector<int> nodes;     ///< nodes to compute; arguments precede the nodes that use them
+  std::vector<int> uniforms;  ///< uniform nodes, whose values the CPU computes
   std::vector<Output> outputs;
   bool usesTime = false;  ///< true if uniform values change from step to step
   bool usesNoise = false;
 
-  /// Returns the index of a node in `told`, or -1 if it is not uniform.
+  /// Returns the index of a node in `uniforms`, or -1 if it is not uniform.
   [[nodiscard]] int placeOf(int node) const;
 };
 

@@ -24,7 +24,7 @@ class Understanding {
  public:
   explicit Understanding(const RuleText& text) : text_(text) {
     if (isVolume()) rule_.graph = RuleGraph(6, 12);
-    rule_.told.parameters = static_cast<int>(text.parameters.size());
+    rule_.uniforms.parameters = static_cast<int>(text.parameters.size());
     checkNames();
     for (const RuleText::Let& let : text.lets)
       lets_[let.name] = {parsed({"lets", let.name, "is"}, let.text), {}};
@@ -39,7 +39,7 @@ class Understanding {
       int rate = nodeOf(path, rates.back());
       if (species.diffuses)
         rate = graph().sum(
-            rate, graph().product(graph().told(rule_.told.diffusion(i)),
+            rate, graph().product(graph().uniform(rule_.uniforms.diffusion(i)),
                                   graph().stencil(RuleOp::sixfold, graph().input(RuleOp::species, i))));
       rule_.rates.push_back(rate);
       rule_.nexts.push_back(-1);
@@ -146,13 +146,14 @@ class Understanding {
     RuleGraph& g = graph();
     if (isMesh() && (name == "x" || name == "y" || name == "z"))
       return g.input(RuleOp::weight, static_cast<int>(text_.parameters.size()) + (name[0] - 'x'));
-    if (name == "x") return g.product(g.input(RuleOp::x, 0), g.told(ToldPlaces::spacing));
-    if (name == "y") return g.product(g.input(RuleOp::y, 0), g.told(ToldPlaces::spacing));
-    if (name == "t") return g.told(ToldPlaces::time);
-    if (name == "width") return g.told(ToldPlaces::width);
-    if (name == "height") return g.told(ToldPlaces::height);
-    if (isVolume() && name == "z") return g.product(g.input(RuleOp::z, 0), g.told(ToldPlaces::spacing));
-    if (hasDepth() && name == "depth") return g.told(ToldPlaces::depth);
+    if (name == "x") return g.product(g.input(RuleOp::x, 0), g.uniform(UniformIndex::spacing));
+    if (name == "y") return g.product(g.input(RuleOp::y, 0), g.uniform(UniformIndex::spacing));
+    if (name == "t") return g.uniform(UniformIndex::time);
+    if (name == "width") return g.uniform(UniformIndex::width);
+    if (name == "height") return g.uniform(UniformIndex::height);
+    if (isVolume() && name == "z")
+      return g.product(g.input(RuleOp::z, 0), g.uniform(UniformIndex::spacing));
+    if (hasDepth() && name == "depth") return g.uniform(UniformIndex::depth);
     if (name == "pi") return g.constant(std::numbers::pi);
     for (std::size_t i = 0; i < text_.parameters.size(); ++i) {
       if (text_.parameters[i].name != name) continue;
@@ -164,9 +165,9 @@ class Understanding {
                             "no other object has a field yet when \"start\" is made"};
         return g.input(RuleOp::weight, index);
       }
-      const int value = g.told(ToldPlaces::value(index));
+      const int value = g.uniform(UniformIndex::value(index));
       if (!text_.parameters[i].isMapped) return value;
-      return g.sum(value, g.product(g.told(rule_.told.span(index)), g.input(RuleOp::weight, index)));
+      return g.sum(value, g.product(g.uniform(rule_.uniforms.span(index)), g.input(RuleOp::weight, index)));
     }
     for (std::size_t i = 0; i < text_.species.size(); ++i)
       if (text_.species[i].name == name) {
@@ -287,12 +288,12 @@ class Understanding {
       case Operation::laplacian:
         return laplacian(n[0]);
       case Operation::ddx:
-        return g.product(g.told(ToldPlaces::perGradient), g.stencil(RuleOp::across, n[0]));
+        return g.product(g.uniform(UniformIndex::perGradient), g.stencil(RuleOp::across, n[0]));
       case Operation::ddy:
-        return g.product(g.told(ToldPlaces::perGradient), g.stencil(RuleOp::down, n[0]));
+        return g.product(g.uniform(UniformIndex::perGradient), g.stencil(RuleOp::down, n[0]));
       case Operation::ddz:
         if (!isVolume()) return refuse("a flat grid has no z; give it a \"depth\"");
-        return g.product(g.told(ToldPlaces::perGradient), g.stencil(RuleOp::deep, n[0]));
+        return g.product(g.uniform(UniformIndex::perGradient), g.stencil(RuleOp::deep, n[0]));
       case Operation::diffuse:
         return diffuse(n[0], n[1]);
       case Operation::neighbours:
@@ -314,7 +315,8 @@ class Understanding {
   }
 
   int laplacian(int a) {
-    return graph().product(graph().told(ToldPlaces::perLaplacian), graph().stencil(RuleOp::sixfold, a));
+    return graph().product(graph().uniform(UniformIndex::perLaplacian),
+                           graph().stencil(RuleOp::sixfold, a));
   }
 
   // Returns the diffusion with a variable coefficient D. With the neighbours j of cell i and the weights w:
@@ -325,7 +327,7 @@ class Understanding {
     const int lap = g.stencil(RuleOp::sixfold, u), both = g.stencil(RuleOp::sixfold, g.product(d, u));
     const int twice =
         g.difference(g.sum(g.product(d, lap), both), g.product(u, g.stencil(RuleOp::sixfold, d)));
-    return g.product(g.product(g.constant(0.5), g.told(ToldPlaces::perLaplacian)), twice);
+    return g.product(g.product(g.constant(0.5), g.uniform(UniformIndex::perLaplacian)), twice);
   }
 
   int power(const RulePath& path, const ExpressionTree::Node& written, int base, int exponent) {
@@ -387,7 +389,7 @@ class Understanding {
 
 }  // namespace
 
-Rule understandRule(const RuleText& text) {
+Rule compileRule(const RuleText& text) {
   return Understanding(text).whole();
 }
 

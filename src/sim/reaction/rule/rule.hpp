@@ -42,8 +42,8 @@ struct RuleMistake {
   std::string message;
 };
 
-/// Indices of a step's uniform values, as used by RuleOp::told.
-struct ToldPlaces {
+/// Indices of a step's uniform values, as used by RuleOp::uniform.
+struct UniformIndex {
   enum : int {
     dt,
     halfDt,
@@ -69,7 +69,7 @@ struct ToldPlaces {
 };
 
 /// Number of coordinate maps (x, y and z) on a mesh; they follow the maps of parameters.
-inline constexpr int placeMaps = 3;
+inline constexpr int bindMaps = 3;
 
 inline constexpr int maxSpecies = 8;
 /// Maximum integer exponent for which powers are evaluated by multiplication, which also allows negative
@@ -81,7 +81,7 @@ inline constexpr int maxRuleCost = 4000;
 /// Compiled rule: one graph of all its expressions.
 struct Rule {
   RuleGraph graph;
-  ToldPlaces told;
+  UniformIndex uniforms;
   std::vector<int> rates;     ///< node of each species' rate, including diffusion
   std::vector<int> nexts;     ///< for each species, the node of its next value; -1 if it has a rate
   std::vector<int> starts;    ///< nodes of the initial state
@@ -93,6 +93,6 @@ struct Rule {
 };
 
 /// Compiles a rule. Throws RuleMistake.
-[[nodiscard]] Rule understandRule(const RuleText& text);
+[[nodiscard]] Rule compileRule(const RuleText& text);
 
 }  // namespace simreel::sim

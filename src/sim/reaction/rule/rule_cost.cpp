@@ -10,7 +10,7 @@ namespace {
 int costOfOp(RuleOp op) {
   switch (op) {
     case RuleOp::constant:
-    case RuleOp::told:
+    case RuleOp::uniform:
     case RuleOp::species:
     case RuleOp::base:
     case RuleOp::sum:

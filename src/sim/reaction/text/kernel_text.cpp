@@ -37,7 +37,7 @@ std::string nameOf(const RulePlane& plane) {
 class KernelWriter {
  public:
   KernelWriter(const Rule& rule, const RulePass& pass, RuleSpace space, RuleBoundary boundary,
-               unsigned seed, const RuleCut& cut)
+               unsigned seed, const WorkSplit& cut)
       : rule_(rule), pass_(pass), space_(space), boundary_(boundary), seed_(seed), cut_(cut) {
     if (isVolume()) cut_.rows = cut.volumeRows;
     for (const RulePass::Read& read : pass.reads) {
@@ -57,7 +57,7 @@ class KernelWriter {
     else
       line("layout(local_size_x = {}, local_size_y = {}) in;", cut_.groupX, cut_.groupY);
     declareArrays();
-    declareTold();
+    declareUniforms();
     for (const auto& [plane, use] : uses_) declareRow(plane, use);
     writeMain();
     return std::move(text_);
@@ -93,7 +93,7 @@ class KernelWriter {
     if (isMesh()) line("INPUT_WORDS(linksBinding, linksBlock, links)");
   }
 
-  void declareTold() { text_ += toldText(pass_, boundary_); }
+  void declareUniforms() { text_ += uniformText(pass_, boundary_); }
 
   /// Writes the declaration of a struct that holds the four cells of a row and the sums or differences of
   /// the adjacent cells.
@@ -316,7 +316,7 @@ class KernelWriter {
   RuleSpace space_;
   RuleBoundary boundary_;
   unsigned seed_;
-  RuleCut cut_;
+  WorkSplit cut_;
   std::map<RulePlane, Use> uses_;
   std::string text_;
 };
@@ -324,7 +324,7 @@ class KernelWriter {
 }  // namespace
 
 std::string kernelText(const Rule& rule, const RulePass& pass, RuleSpace space, RuleBoundary boundary,
-                       unsigned seed, const RuleCut& cut) {
+                       unsigned seed, const WorkSplit& cut) {
   return KernelWriter(rule, pass, space, boundary, seed, cut).text();
 }
 

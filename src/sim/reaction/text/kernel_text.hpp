@@ -7,7 +7,7 @@
 namespace simreel::sim {
 
 /// Distribution of a kernel's work among invocations. Every choice gives the same bits.
-struct RuleCut {
+struct WorkSplit {
   int rows = 2;  ///< number of rows per invocation
   int groupX = 32, groupY = 4;
   int stepsPerPass = 1;   ///< number of steps that a pass computes; if it is more than 1, the pass works in
@@ -29,15 +29,15 @@ struct RuleCut {
                              RuleBoundary boundary, int width);
 
 /// Returns the compute shader of a pass of several steps in strips; see kernelText().
-[[nodiscard]] std::string stripText(const Rule& rule, const RulePass& pass, const RuleCut& cut);
+[[nodiscard]] std::string stripText(const Rule& rule, const RulePass& pass, const WorkSplit& cut);
 
 /// Returns the number of vec4 in the uniform block of a pass, which holds the uniform values, the two
 /// grains, and the values beyond edges of the kind "fixed".
-[[nodiscard]] std::size_t toldVectors(const RulePass& pass);
+[[nodiscard]] std::size_t uniformVectors(const RulePass& pass);
 
 /// Returns the compute shader of a pass for gl::Kernel::generated. The text contains no names of the scene,
 /// only numbers of planes and uniforms. `seed` is the seed of the noise.
 [[nodiscard]] std::string kernelText(const Rule& rule, const RulePass& pass, RuleSpace space,
-                                     RuleBoundary boundary, unsigned seed, const RuleCut& cut);
+                                     RuleBoundary boundary, unsigned seed, const WorkSplit& cut);
 
 }  // namespace simreel::sim

@@ -116,21 +116,24 @@ std::string nodeText(const RuleGraph& graph, int i, const std::function<std::str
   return text;
 }
 
-std::string toldText(const RulePass& pass, RuleBoundary boundary) {
+std::string uniformText(const RulePass& pass, RuleBoundary boundary) {
   std::string text;
-  const std::size_t count = toldVectors(pass);
-  addLine(text, "layout(std140, binding = stepBinding) uniform ToldBlock {{ vec4 told[{}]; }};", count);
-  for (std::size_t i = 0; i < pass.told.size(); ++i)
-    addLine(text, "float k{} = once(told[{}].{});", pass.told[i], i / 4, "xyzw"[i % 4]);
+  const std::size_t count = uniformVectors(pass);
+  addLine(text, "layout(std140, binding = stepBinding) uniform UniformBlock {{ vec4 uniforms[{}]; }};",
+          count);
+  for (std::size_t i = 0; i < pass.uniforms.size(); ++i)
+    addLine(text, "float k{} = once(uniforms[{}].{});", pass.uniforms[i], i / 4, "xyzw"[i % 4]);
   const std::size_t grains = count - 3;
-  addLine(text, "float storedGrain = once(told[{}].x), flushedGrain = once(told[{}].y);", grains, grains);
+  addLine(text, "float storedGrain = once(uniforms[{}].x), flushedGrain = once(uniforms[{}].y);", grains,
+          grains);
   if (boundary == RuleBoundary::fixed)
-    addLine(text, "vec4 edgesLow = once(told[{}]), edgesHigh = once(told[{}]);", grains + 1, grains + 2);
+    addLine(text, "vec4 edgesLow = once(uniforms[{}]), edgesHigh = once(uniforms[{}]);", grains + 1,
+            grains + 2);
   return text;
 }
 
-std::size_t toldVectors(const RulePass& pass) {
-  return (pass.told.size() + 4) / 4 + 3;
+std::size_t uniformVectors(const RulePass& pass) {
+  return (pass.uniforms.size() + 4) / 4 + 3;
 }
 
 }  // namespace simreel::sim

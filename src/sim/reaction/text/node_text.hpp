@@ -14,6 +14,6 @@ namespace simreel::sim {
 
 /// Returns the declarations of the uniform values of a pass: k<node> for each, the grains, and the values
 /// beyond edges of the kind "fixed".
-[[nodiscard]] std::string toldText(const RulePass& pass, RuleBoundary boundary);
+[[nodiscard]] std::string uniformText(const RulePass& pass, RuleBoundary boundary);
 
 }  // namespace simreel::sim

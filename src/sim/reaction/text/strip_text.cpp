@@ -20,7 +20,7 @@ bool isOfStrips(RuleOp op) {
 /// in single steps.
 class StripWriter {
  public:
-  StripWriter(const Rule& rule, const RulePass& pass, const RuleCut& cut)
+  StripWriter(const Rule& rule, const RulePass& pass, const WorkSplit& cut)
       : rule_(rule), pass_(pass), cut_(cut), planes_(static_cast<int>(rule.rates.size())) {
     for (const RulePass::Read& read : pass.reads)
       if (read.op != RuleOp::species && read.op != RuleOp::down) sided_[read.plane.plane] = true;
@@ -42,7 +42,7 @@ class StripWriter {
     line("#endif");
     line("INPUT_ARRAY(stageBinding, stageBlock, stage)");
     line("STATE_ARRAY(nextBinding, nextBlock, next)");
-    text_ += toldText(pass_, RuleBoundary::torus);
+    text_ += uniformText(pass_, RuleBoundary::torus);
     line("int lostColumn = 0;  // element of the first of an invocation's");
     line("bool sound[ELEMENTS];  // of a strip's elements, those that are stored");
     line("struct Row {{");
@@ -220,7 +220,7 @@ class StripWriter {
 
   const Rule& rule_;
   const RulePass& pass_;
-  RuleCut cut_;
+  WorkSplit cut_;
   int planes_;
   std::map<int, bool> sided_;
   std::string text_;
@@ -245,7 +245,7 @@ bool stripsCan(const Rule& rule, const RuleProgram& program, RuleSpace space, Ru
          });
 }
 
-std::string stripText(const Rule& rule, const RulePass& pass, const RuleCut& cut) {
+std::string stripText(const Rule& rule, const RulePass& pass, const WorkSplit& cut) {
   return StripWriter(rule, pass, cut).text();
 }
 

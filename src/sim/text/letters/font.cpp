@@ -22,7 +22,7 @@ namespace simreel::sim {
 namespace {
 
 constexpr double tolerance = 1e-3;  // maximum deviation of polygons from curves, in units of the cap height
-constexpr int mostPieces = 64;
+constexpr int maxPieces = 64;
 
 /// Collects the polygons of an outline from FreeType's callbacks.
 struct Pen {
@@ -35,7 +35,7 @@ struct Pen {
   /// Returns the number n of line segments for a curve whose deviation from its chords is at most `bend` /
   /// (8 n^2).
   static int pieces(double bend) {
-    return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * tolerance)))), 1, mostPieces);
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * tolerance)))), 1, maxPieces);
   }
   static int move(const FT_Vector* to, void* user) {
     auto& pen = *static_cast<Pen*>(user);
@@ -102,7 +102,7 @@ struct Font::Library {
 
   /// Maximum memory of FreeType in bytes, because glyphs nested in composite glyphs could allocate
   /// gigabytes.
-  static constexpr std::size_t mostMemory = std::size_t{64} << 20;
+  static constexpr std::size_t maxMemory = std::size_t{64} << 20;
   std::size_t taken = 0;
   FT_MemoryRec_ memory{this, allocate, giveBack, resize};
   std::string bytes;  ///< font data that FreeType reads
@@ -124,7 +124,7 @@ struct Font::Library {
     auto& library = *static_cast<Library*>(memory->user);
     const auto wanted = static_cast<std::size_t>(size);
     const auto had = static_cast<std::size_t>(before);
-    if (library.taken - had + wanted > mostMemory) return nullptr;
+    if (library.taken - had + wanted > maxMemory) return nullptr;
     auto* old = block == nullptr ? nullptr : static_cast<std::max_align_t*>(block) - 1;
     auto* start = static_cast<std::max_align_t*>(std::realloc(old, sizeof(std::max_align_t) + wanted));
     if (start == nullptr) return nullptr;
@@ -135,9 +135,9 @@ struct Font::Library {
 };
 
 Font::Font(std::filesystem::path file) : file_(std::move(file)), library_(std::make_unique<Library>()) {
-  constexpr std::size_t mostBytes = std::size_t{64} << 20;
+  constexpr std::size_t byteLimit = std::size_t{64} << 20;
   Library& l = *library_;
-  l.bytes = readFile(file_, "font", mostBytes);
+  l.bytes = readFile(file_, "font", byteLimit);
   if (FT_New_Memory_Face(l.library, reinterpret_cast<const FT_Byte*>(l.bytes.data()),
                          static_cast<FT_Long>(l.bytes.size()), 0, &l.face) != 0)
     fail(ExitCode::inputOutput, "cannot read font {}: it is no TrueType or OpenType file", file_.string());
@@ -183,11 +183,11 @@ const Font::Glyph& Font::glyph(char32_t character) {
 double Font::kerning(char32_t first, char32_t second) const {
   FT_Face face = library_->face;
   if (!FT_HAS_KERNING(face)) return 0;
-  FT_Vector apart{};
+  FT_Vector kerningVector{};
   if (FT_Get_Kerning(face, FT_Get_Char_Index(face, first), FT_Get_Char_Index(face, second),
-                     FT_KERNING_UNSCALED, &apart) != 0)
+                     FT_KERNING_UNSCALED, &kerningVector) != 0)
     return 0;
-  return perUnit_ * static_cast<double>(apart.x);
+  return perUnit_ * static_cast<double>(kerningVector.x);
 }
 
 double Font::lineHeight() const {

@@ -53,8 +53,8 @@ double shareOf(TextAnchor::Across across) {
 
 TextOutlines written(Font& font, std::string_view text, const TextAnchor& anchor, double spacing) {
   const auto lines = linesOf(text);
-  const double apart = spacing * font.lineHeight();
-  const double depth = apart * static_cast<double>(lines.size() - 1);
+  const double lineDistance = spacing * font.lineHeight();
+  const double depth = lineDistance * static_cast<double>(lines.size() - 1);
   // Height of the baseline of the first line.
   double y = 0;
   if (anchor.down == TextAnchor::Down::top) y = -1;
@@ -68,7 +68,7 @@ TextOutlines written(Font& font, std::string_view text, const TextAnchor& anchor
       for (glm::dvec2& point : polygon) point.x += shift;
       all.push_back(std::move(polygon));
     }
-    y -= apart;
+    y -= lineDistance;
   }
   return all;
 }

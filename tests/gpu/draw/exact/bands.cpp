@@ -130,9 +130,9 @@ TEST_CASE("exact: a picture's stages are those of the list of passes, in its ord
     draw::Renderer renderer(stage.scene, size, 1,
                             {.rasterizer = scene::Rasterizer::exact,
                              .visibilityBytes = static_cast<std::size_t>(8 * size.x * rows)});
-    std::string told;
-    renderer.draw(0, stage.drawables, [&](const char* name) { told += std::string(name) + "; "; });
-    return told;
+    std::string names;
+    renderer.draw(0, stage.drawables, [&](const char* name) { names += std::string(name) + "; "; });
+    return names;
   };
   CHECK(stages(size.y) ==
         "shadow; visibility; occlusion; surfaces; reflections; instances; bloom; tone map; ");

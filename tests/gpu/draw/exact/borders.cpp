@@ -162,7 +162,7 @@ TEST_CASE("exact borders: a ball's place at the nearest plane or the farthest it
         draw::BallRaster raster(draw::BallRaster::Into::picture, 1);
         stage.clear();
         raster.drawNearest({&group.instances}, {0}, stage.target);
-        raster.drawNumbers(stage.target);
+        raster.drawIds(stage.target);
         wrong += (stage.ids()[3 * 9 + 4] != noNumber) != within ? 1 : 0;
       }
     }

@@ -112,11 +112,11 @@ TEST_CASE("exact charts: with letters, the driver's picture within its rounding"
       CountStage stage(steps, 600, 65536, waves);
       if (steps == 300) stage.chart.zero = 0.5F;
       const auto below = someBytes(size, true);
-      const Distance apart = distance(charted(stage.chart, below, draw::Rasterizer::exact),
-                                      charted(stage.chart, below, draw::Rasterizer::driver));
+      const Distance pixelDifference = distance(charted(stage.chart, below, draw::Rasterizer::exact),
+                                                charted(stage.chart, below, draw::Rasterizer::driver));
       // The tolerance is needed because the software driver blends with 8 bits.
-      CHECK(apart.max <= 1);
-      CHECK(apart.mean < 0.02);
+      CHECK(pixelDifference.max <= 1);
+      CHECK(pixelDifference.mean < 0.02);
     }
 }
 

@@ -86,7 +86,7 @@ TEST_CASE("clear: in a furnace glass is not to be seen") {
   testContext();
   // Light that is reflected inside a cube more than 24 times is lost. For diamond, this is a few
   // thousandths.
-  for (const auto& [ior, most] : {std::pair(1.5F, 2e-3), {2.4F, 0.02}}) {
+  for (const auto& [ior, maximum] : {std::pair(1.5F, 2e-3), {2.4F, 0.02}}) {
     CAPTURE(ior);
     const GlassBox box({-1, -0.7F, -1}, {1, 0.7F, 1}, ior);
     scene::Scene scene = furnace(16);
@@ -95,7 +95,7 @@ TEST_CASE("clear: in a furnace glass is not to be seen") {
     double worst = 0;
     for (int y = 18; y < 30; ++y)
       for (int x = 18; x < 30; ++x) worst = std::max(worst, std::abs(picture.at(x, y).x - 1));
-    CHECK(worst < most);
+    CHECK(worst < maximum);
   }
 }
 
@@ -164,8 +164,8 @@ TEST_CASE("clear: a slab shifts what lies behind it as Snell's law has it") {
     const auto edgeOf = [&](const sim::Drawables& drawables) {
       const RayPicture picture = rayPicture(scene, drawables, size);
       double dark = 0;
-      const double most = picture.mean({size.x - 20, 0}, {size.x, 4}).x;
-      for (int x = 0; x < size.x; ++x) dark += picture.mean({x, 0}, {x + 1, 4}).x < 0.5 * most ? 1 : 0;
+      const double maximum = picture.mean({size.x - 20, 0}, {size.x, 4}).x;
+      for (int x = 0; x < size.x; ++x) dark += picture.mean({x, 0}, {x + 1, 4}).x < 0.5 * maximum ? 1 : 0;
       return dark;
     };
     // Without the slab, the edge at z = -6 is seen along a straight line. The slab shifts this line

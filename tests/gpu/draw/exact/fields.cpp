@@ -100,11 +100,12 @@ TEST_CASE(
     there.twin().over(wantedOpaque, there.part);
     const auto exactOpaque = over({stage->field}, opaque, draw::Rasterizer::exact);
     CHECK(differing(exactOpaque, wantedOpaque) == 0);
-    const Distance apart = distance(exactOpaque, over({stage->field}, opaque, draw::Rasterizer::driver));
-    CHECK(apart.max <= 1);
+    const Distance pixelDifference =
+        distance(exactOpaque, over({stage->field}, opaque, draw::Rasterizer::driver));
+    CHECK(pixelDifference.max <= 1);
     // The tolerance is needed because the software driver blends with 8 bits, with errors of half a step at
     // some pixels. A GPU rounds one byte in forty differently.
-    CHECK(apart.mean < (there.inputs.opacity < 1 ? 0.3 : 0.03));
+    CHECK(pixelDifference.mean < (there.inputs.opacity < 1 ? 0.3 : 0.03));
   }
 }
 
@@ -261,8 +262,8 @@ double fromSpline(Cells kind) {
         std::bit_cast<float>(memory.words[static_cast<std::size_t>(word / 4)][word % 4]));
   };
   // Returns the integral of a tent of width 2 over a box of width 1.
-  const auto share = [](double apart) {
-    const double d = std::abs(apart);
+  const auto share = [](double pixelDifference) {
+    const double d = std::abs(pixelDifference);
     return d < 0.5 ? 0.75 - d * d : d < 1.5 ? 0.5 * (1.5 - d) * (1.5 - d) : 0.0;
   };
   const auto picture = over({stage.field}, someBytes(pixels), draw::Rasterizer::exact);

@@ -86,7 +86,7 @@ TEST_CASE("blended surfaces: from the nearest to what is opaque, in whatever ord
   for (const auto& order : orders)
     CHECK(drawn(unlit(), {.surfaces = order}, size, 4, exactly).bytes == shown.bytes);
   for (const char* layout : {"apart", "pairs"}) {
-    const LayoutAsked asked(layout);
+    const LayoutForced asked(layout);
     CHECK(drawn(unlit(), {.surfaces = orders[0]}, size, 4, exactly).bytes == shown.bytes);
   }
 }
@@ -126,10 +126,10 @@ TEST_CASE("blended surfaces: sixteen layers, and what is opaque behind them") {
   std::vector<std::unique_ptr<Square>> panes;
   std::vector<sim::Surface> surfaces;
   double left = 1;
-  for (int i = 0; i < draw::ApartSurfaces::most + 3; ++i) {
+  for (int i = 0; i < draw::TransparentSurfaces::maximum + 3; ++i) {
     panes.push_back(std::make_unique<Square>(0.1F * static_cast<float>(i), 0.5F, glm::vec3(0), 0.1F));
     surfaces.push_back(panes.back()->surface);
-    if (i < draw::ApartSurfaces::most) left *= 0.9;
+    if (i < draw::TransparentSurfaces::maximum) left *= 0.9;
   }
   const Square behind(-0.1F, 1.5F, glm::vec3(0.9F), 1);
   surfaces.push_back(behind.surface);
@@ -155,7 +155,7 @@ TEST_CASE("cut surfaces: holes where the map's opacity is low, in what they hide
   CHECK(shown.brightness(columnOf(-0.75), 80) > 300);
   CHECK(shown.brightness(columnOf(-1.7), 80) > 300);
   for (const char* layout : {"apart", "pairs"}) {
-    const LayoutAsked asked(layout);
+    const LayoutForced asked(layout);
     CHECK(drawn(scene, {.surfaces = {wall.surface, leaf.surface}}, size, 4, exactly).bytes == shown.bytes);
   }
   // With cutoff 0 the leaf has no holes. If its opacity is below the cutoff, it is not drawn.

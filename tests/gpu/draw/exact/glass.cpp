@@ -103,8 +103,8 @@ TEST_CASE("exact: glass is the same however a picture is found") {
     };
     const Picture whole = banded(size.y);
     CHECK(banded(24).bytes == whole.bytes);
-    for (const char* word : LayoutAsked::words()) {
-      const LayoutAsked asked(word);
+    for (const char* word : LayoutForced::words()) {
+      const LayoutForced asked(word);
       CHECK(banded(size.y).bytes == whole.bytes);
     }
     stage.drawables.surfaces = {stage.slab.surface, stage.square.surface};

@@ -113,7 +113,7 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
   CHECK(run(12) == found);
 
   double worst = 0;
-  double most = 0;
+  double maximum = 0;
   const GlowFormula formula(stage.view);
   for (int y = 0; y < stage.size.y; ++y)
     for (int x = 0; x < stage.size.x; ++x) {
@@ -123,10 +123,10 @@ TEST_CASE("glows: the sum of their formula in double precision, in any order and
       const glm::vec4 light = found[static_cast<std::size_t>(y * stage.size.x + x)];
       worst = std::max({worst, std::abs(light.r - sum), std::abs(light.g - 0.5 * sum),
                         std::abs(light.b - 300 * sum) / 300});
-      most = std::max(most, sum);
+      maximum = std::max(maximum, sum);
       CHECK(light.a == 0.0F);
     }
-  CHECK(most > 3);
+  CHECK(maximum > 3);
   CHECK(worst < 2e-4);
 }
 

@@ -41,7 +41,7 @@ class HierarchyStage {
     words_ = gl::Buffer("words", 16 * places.size());
     ballLooks_ = gl::Buffer("looks of balls", 16 * places.size());
     std::vector<glm::uvec4> look(static_cast<std::size_t>(lookTexels), glm::uvec4(0));
-    look[static_cast<std::size_t>(plainLook)] = glm::uvec4(std::bit_cast<unsigned>(1.0F));
+    look[static_cast<std::size_t>(fallbackMaterial)] = glm::uvec4(std::bit_cast<unsigned>(1.0F));
     looks_ = gl::Buffer::of<glm::uvec4>("looks", look);
     placeView_ = gl::Texture::view("places", GL_RGBA32F, places_);
     cornerView_ = gl::Texture::view("corners", GL_R32UI, corners_, 4);
@@ -56,7 +56,7 @@ class HierarchyStage {
         .corners = &cornerView_,
         .words = &wordView_,
         .ballLooks = &ballLookView_,
-        .looks = &lookView_};
+        .materials = &lookView_};
     hierarchy_.growBounds(solids, bounds_);
     gl::barrier();
     hierarchy_.build(solids, bounds_);

@@ -82,7 +82,7 @@ Drawn drawBalls(ExactStage& stage, const Balls& balls, int smallPixels = 16, int
   draw::BallRaster raster(draw::BallRaster::Into::picture, stage.samples, smallPixels, mediumPixels);
   stage.clear();
   raster.drawNearest(balls.drawn, balls.firstIds, stage.target);
-  raster.drawNumbers(stage.target);
+  raster.drawIds(stage.target);
   testContext().check();
   return {stage.keys(), stage.ids()};
 }
@@ -206,7 +206,7 @@ TEST_CASE("of balls in one place the one with the least number is shown, and dea
   second.instances.size = 2;
   draw::BallRaster raster(draw::BallRaster::Into::picture, 4);
   raster.drawNearest({&second.instances, &group.instances}, {900, 100}, stage.target);
-  raster.drawNumbers(stage.target);
+  raster.drawIds(stage.target);
   const std::vector<unsigned> ids = stage.ids();
   CHECK(std::count(ids.begin(), ids.end(), 102U) > 500);
   CHECK(std::count(ids.begin(), ids.end(), 102U) + std::count(ids.begin(), ids.end(), noId) ==
@@ -223,7 +223,7 @@ TEST_CASE("small balls cover a disk of 0.57 pixels of radius in the mean") {
   group.instances.size = 1e-4F;
   draw::BallRaster raster(draw::BallRaster::Into::picture, 4);
   raster.drawNearest({&group.instances}, {0}, stage.target);
-  raster.drawNumbers(stage.target);
+  raster.drawIds(stage.target);
   const std::vector<unsigned> ids = stage.ids();
   const auto shown =
       static_cast<double>(ids.size()) - static_cast<double>(std::count(ids.begin(), ids.end(), noId));
@@ -256,7 +256,7 @@ TEST_CASE("copies of a mesh cover what the same triangles of a surface cover, wi
                                 pairs == 17U ? 0 : 40);
         stage.clear();
         raster.drawNearest({{&group.instances, &mesh.shape}}, {0}, stage.target);
-        raster.drawNumbers(stage.target);
+        raster.drawIds(stage.target);
         testContext().check();
         CHECK(stage.keys() == wanted.keys);
         CHECK(stage.ids() == wanted.ids);

@@ -84,7 +84,7 @@ struct Made {
 
 /// Returns the results of several pictures. Between the pictures, surfaces move, disappear and appear.
 std::vector<Made> madeOf(HeapStage& stage, const char* joins) {
-  const JoiningAsked asked(joins);
+  const JoiningForced asked(joins);
   draw::Renderer renderer(stage.scene, {93, 71}, 4,
                           {.rasterizer = scene::Rasterizer::exact, .visibilityBytes = 8 * 4 * 93 * 48});
   draw::PassPicture kept;
@@ -110,30 +110,30 @@ std::vector<Made> madeOf(HeapStage& stage, const char* joins) {
 
 TEST_CASE("exact: joined surfaces have the pictures of those that are drawn one by one") {
   testContext();
-  for (const char* layout : LayoutAsked::words()) {
+  for (const char* layout : LayoutForced::words()) {
     CAPTURE(layout);
-    const LayoutAsked asked(layout);
+    const LayoutForced asked(layout);
     HeapStage stage;
-    const std::vector<Made> apart = madeOf(stage, "no");
+    const std::vector<Made> pixelDifference = madeOf(stage, "no");
     const std::vector<Made> joined = madeOf(stage, "yes");
-    REQUIRE(apart.size() == joined.size());
-    for (std::size_t i = 0; i < apart.size(); ++i) {
+    REQUIRE(pixelDifference.size() == joined.size());
+    for (std::size_t i = 0; i < pixelDifference.size(); ++i) {
       CAPTURE(i);
-      REQUIRE(apart[i].words.size() == joined[i].words.size());
-      for (std::size_t k = 0; k < apart[i].words.size(); ++k)
-        CHECK(apart[i].words[k] == joined[i].words[k]);
-      CHECK(apart[i].things == joined[i].things);
+      REQUIRE(pixelDifference[i].words.size() == joined[i].words.size());
+      for (std::size_t k = 0; k < pixelDifference[i].words.size(); ++k)
+        CHECK(pixelDifference[i].words[k] == joined[i].words[k]);
+      CHECK(pixelDifference[i].things == joined[i].things);
     }
-    CHECK_FALSE(apart[0] == apart[1]);
-    CHECK_FALSE(apart[1] == apart[2]);
-    CHECK_FALSE(apart[2] == apart[3]);
-    CHECK_FALSE(apart[2] == apart[4]);
+    CHECK_FALSE(pixelDifference[0] == pixelDifference[1]);
+    CHECK_FALSE(pixelDifference[1] == pixelDifference[2]);
+    CHECK_FALSE(pixelDifference[2] == pixelDifference[3]);
+    CHECK_FALSE(pixelDifference[2] == pixelDifference[4]);
   }
 }
 
 TEST_CASE("exact: few surfaces stay apart, and those that the GPU counts") {
   testContext();
-  const JoiningAsked asked("yes");
+  const JoiningForced asked("yes");
   HeapStage stage;
   draw::JoinedSurfaces joined;
   std::vector<sim::Surface> surfaces = stage.drawables.surfaces;
@@ -149,7 +149,7 @@ TEST_CASE("exact: few surfaces stay apart, and those that the GPU counts") {
   shadowless.castsShadow = false;
   surfaces[0].material = &shadowless;
   CHECK_FALSE(joined.join(surfaces));
-  const JoiningAsked refused("maybe");
+  const JoiningForced refused("maybe");
   CHECK_THROWS_AS(joined.join(surfaces), UserError);
 }
 

@@ -119,9 +119,9 @@ TEST_CASE("exact: a lens adds each of its points once, in equal parts") {
     scene.camera.lens->samples = samples;
     const Covered seen = coveredBy(scene, drawables, size, size.y, "lens");
     REQUIRE(seen.light.size() == sharp.light.size());
-    float most = 0;
+    float maximum = 0;
     for (std::size_t i = 0; i < seen.light.size(); ++i)
-      most = std::max(most, std::abs(seen.light[i] - sharp.light[i]));
-    CHECK(most < 1e-5F);
+      maximum = std::max(maximum, std::abs(seen.light[i] - sharp.light[i]));
+    CHECK(maximum < 1e-5F);
   }
 }

@@ -117,13 +117,13 @@ TEST_CASE("exact limits: vertices and triangles beyond the first row of groups, 
 
 TEST_CASE("exact limits: as many things as are drawn at once, each where it is; one more is refused") {
   testContext();
-  constexpr int most = 2046;
+  constexpr int maximum = 2046;
   constexpr int across = 62;
   constexpr int side = 8;  // side (pixels) of the square cell in which each object is drawn, equal to the
                            // side of a tile
   scene::Scene scene = darkScene();
   scene.sun.shadow = false;
-  const glm::ivec2 size(across * side, (most + across - 1) / across * side);
+  const glm::ivec2 size(across * side, (maximum + across - 1) / across * side);
   // At a distance of 5 m, the picture is 2 * tan(20 degrees) * 5 m high.
   const float pixel = 3.6397023F / static_cast<float>(size.y);
   const float half = 0.4F * pixel * static_cast<float>(side);
@@ -135,21 +135,21 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
     materials[static_cast<std::size_t>(i)].color[i] = 0.9F;
   }
   const auto cell = [&](int i) { return side * glm::ivec2(i % across, i / across) + side / 2; };
-  std::vector<sim::Surface> surfaces(most, square.surface);
-  for (int i = 0; i < most; ++i) {
+  std::vector<sim::Surface> surfaces(maximum, square.surface);
+  for (int i = 0; i < maximum; ++i) {
     const glm::vec2 at = glm::vec2(cell(i)) - 0.5F * glm::vec2(size);
     surfaces[static_cast<std::size_t>(i)].model[3] = glm::vec4(pixel * at.x, -pixel * at.y, 0, 1);
     surfaces[static_cast<std::size_t>(i)].material = &materials[static_cast<std::size_t>(i % 3)];
   }
   const Picture picture = drawnExactly(scene, {.surfaces = surfaces}, size);
   int wrong = 0;
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < maximum; ++i) {
     const glm::ivec3 seen = picture.at(cell(i).x, cell(i).y);
     const int own = i % 3;
     if (seen[own] < std::max(seen[(own + 1) % 3], seen[(own + 2) % 3]) + 60) ++wrong;
   }
   CHECK(wrong == 0);
-  const JoiningAsked apart("no");  // Joined surfaces would count as one object.
+  const JoiningForced pixelDifference("no");  // Joined surfaces would count as one object.
   surfaces.push_back(square.surface);
   surfaces.back().material = materials.data();
   try {
@@ -157,7 +157,7 @@ TEST_CASE("exact limits: as many things as are drawn at once, each where it is; 
     CHECK(false);
   } catch (const UserError& error) {
     CHECK(error.code() == ExitCode::device);
-    CHECK(std::string(error.what()).find("draws 2046 things at once, not 2047") != std::string::npos);
+    CHECK(std::string(error.what()).find("has 2047 surfaces and groups of copies") != std::string::npos);
   }
 }
 

@@ -108,9 +108,9 @@ TEST_CASE("exact: one mesh of several surfaces casts their shadows, counted ones
        {std::vector<const sim::Surface*>{&first.surface, &second.surface, &third.surface},
         {&third.surface},
         {&second.surface, &first.surface}}) {
-    std::vector<std::vector<const sim::Surface*>> apart;
-    for (const sim::Surface* surface : surfaces) apart.push_back({surface});
-    const std::vector<GLuint> wanted = mapOf(apart);
+    std::vector<std::vector<const sim::Surface*>> pixelDifference;
+    for (const sim::Surface* surface : surfaces) pixelDifference.push_back({surface});
+    const std::vector<GLuint> wanted = mapOf(pixelDifference);
     CHECK(std::count(wanted.begin(), wanted.end(), 0xffffffffU) < side * side - 500);
     for (const int binRoom : {0, 11, 1 << 20}) CHECK(mapOf({surfaces}, binRoom) == wanted);
   }

@@ -179,11 +179,11 @@ TEST_CASE("exact: mirrors show the ground fade out where it does, and none that 
     return stage.draw();
   };
   const OverGround stage(scene::Quality::standard, scene::Projection::perspective);
-  const auto compare = [&](const auto& change, double nearer, double& least, double& most) {
+  const auto compare = [&](const auto& change, double nearer, double& minimum, double& maximum) {
     const auto plain = drawn(scene::Quality::draft, change),
                mirrored = drawn(scene::Quality::standard, change);
-    least = 1e9;
-    most = 0;
+    minimum = 1e9;
+    maximum = 0;
     int places = 0;
     for (int i = 0; i < static_cast<int>(plain.size()); ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -192,23 +192,23 @@ TEST_CASE("exact: mirrors show the ground fade out where it does, and none that 
       const double aside = glm::distance(*p, glm::dvec3(0.1, 0, 0));
       if (nearer > 0 ? aside > nearer : aside < 1.32) continue;
       ++places;
-      const double apart =
+      const double pixelDifference =
           glm::distance(plain[at].light, mirrored[at].light) / glm::length(plain[at].light);
-      least = std::min(least, apart);
-      most = std::max(most, apart);
+      minimum = std::min(minimum, pixelDifference);
+      maximum = std::max(maximum, pixelDifference);
     }
     CHECK(places > 20);
   };
-  double least = 0;
-  double most = 0;
-  compare([](OverGround&) {}, 0.8, least, most);
-  CHECK(least > 0.1);
-  compare([](OverGround&) {}, 0, least, most);
-  CHECK(most < 1e-3);
-  compare([](OverGround& matt) { matt.ball.material.roughness = 0.3F; }, 0.8, least, most);
-  CHECK(most < 1e-3);
-  compare([](OverGround& bare) { bare.scene.ground->visible = false; }, 0.8, least, most);
-  CHECK(most < 1e-3);
+  double minimum = 0;
+  double maximum = 0;
+  compare([](OverGround&) {}, 0.8, minimum, maximum);
+  CHECK(minimum > 0.1);
+  compare([](OverGround&) {}, 0, minimum, maximum);
+  CHECK(maximum < 1e-3);
+  compare([](OverGround& matt) { matt.ball.material.roughness = 0.3F; }, 0.8, minimum, maximum);
+  CHECK(maximum < 1e-3);
+  compare([](OverGround& bare) { bare.scene.ground->visible = false; }, 0.8, minimum, maximum);
+  CHECK(maximum < 1e-3);
 }
 
 // Ambient occlusion darkens the ground at the foot of the mirror, but it must not darken reflections of the

@@ -105,11 +105,11 @@ TEST_CASE("exact: mirrors show the same however a picture is found, and nothing 
     const Picture whole = banded(size.y);
     for (const int rows : {1, 24, 64}) CHECK(banded(rows).bytes == whole.bytes);
     for (const char* word : {"yes", "no"}) {
-      const JoiningAsked joining(word);
+      const JoiningForced joining(word);
       CHECK(banded(size.y).bytes == whole.bytes);
     }
-    for (const char* word : LayoutAsked::words()) {
-      const LayoutAsked asked(word);
+    for (const char* word : LayoutForced::words()) {
+      const LayoutForced asked(word);
       CHECK(banded(size.y).bytes == whole.bytes);
     }
   }

@@ -101,7 +101,7 @@ TEST_CASE("exact: a shutter spreads what moves over its way while it is open, an
     draw::Renderer renderer(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
     renderer.keepPasses(&kept);
     const Smear rest = boxOf(metre);
-    renderer.keepBefore({.surfaces = {before->surface}});
+    renderer.setPreviousFrame({.surfaces = {before->surface}});
     renderer.draw(1, {.surfaces = {now->surface}});
     const Smear seen = smearOf(kept, shotSize);
     CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.01));
@@ -129,10 +129,10 @@ TEST_CASE("exact: a shutter sees what jumps at one place and then at the other, 
   draw::Renderer renderer(scene, shotSize, 4, {.rasterizer = scene::Rasterizer::exact});
   renderer.keepPasses(&kept);
   const Smear rest = boxOf(metre);
-  sim::Surface jumped = now->surface;
-  jumped.jumped = 1 - 0.7 / scene.time.fps;  // The jump is before 9 of the 13 moments.
-  renderer.keepBefore({.surfaces = {before->surface}});
-  renderer.draw(1, {.surfaces = {jumped}});
+  sim::Surface lastJumpSeconds = now->surface;
+  lastJumpSeconds.lastJumpSeconds = 1 - 0.7 / scene.time.fps;  // The jump is before 9 of the 13 moments.
+  renderer.setPreviousFrame({.surfaces = {before->surface}});
+  renderer.draw(1, {.surfaces = {lastJumpSeconds}});
   const Smear seen = smearOf(kept, shotSize);
   CHECK(seen.area == doctest::Approx(rest.area).epsilon(0.01));
   const glm::dvec2 end(0.5, 0.2), way(0.8, 0.3);
@@ -143,8 +143,8 @@ TEST_CASE("exact: a shutter sees what jumps at one place and then at the other, 
           doctest::Approx(rest.spread[i] + 36.0 / 169 * metre * metre * way[i] * way[i]).epsilon(0.01));
   }
   // In the next frame, the jump is in the past.
-  renderer.keepBefore({.surfaces = {jumped}});
-  renderer.draw(1 + 1 / scene.time.fps, {.surfaces = {jumped}});
+  renderer.setPreviousFrame({.surfaces = {lastJumpSeconds}});
+  renderer.draw(1 + 1 / scene.time.fps, {.surfaces = {lastJumpSeconds}});
   CHECK(smearOf(kept, shotSize).spread.x == doctest::Approx(rest.spread.x).epsilon(0.01));
 }
 

@@ -129,20 +129,20 @@ TEST_CASE("exact: ambient occlusion is the twin's, bit for bit") {
   const FoldStage stage;
   for (const auto& [size, samples] :
        {std::pair(glm::ivec2(75, 61), 4), {{64, 40}, 1}, {{33, 18}, 16}, {{97, 3}, 4}, {{1, 1}, 2}})
-    for (const char* layout : LayoutAsked::words())
+    for (const char* layout : LayoutForced::words())
       for (const bool ground : {true, false}) {
         CAPTURE(size.x);
         CAPTURE(samples);
         CAPTURE(layout);
         CAPTURE(ground);
-        const LayoutAsked asked(layout);
+        const LayoutForced asked(layout);
         scene::Scene scene = standardScene();
         if (ground) scene.ground.emplace().height = -0.15F;
         const Seen seen = seenOf(scene, stage.drawables, size, samples);
         const draw::View view = draw::viewAt(scene.camera, 0, size, stage.drawables);
         OcclusionTwin twin;
         twin.view = draw::exactView(view, scene.camera, size);
-        twin.reach = draw::reachOnPicture(twin.view, glm::distance(view.eye, view.target) / 6.0F);
+        twin.reach = draw::searchLimits(twin.view, glm::distance(view.eye, view.target) / 6.0F);
         twin.slices = draw::Occlusion::slices;
         twin.steps = draw::Occlusion::steps;
         twin.see(draw::frameValues(scene, size, 0, stage.drawables), samples,
@@ -221,14 +221,14 @@ TEST_CASE("occlusion: before a long wall") {
   });
   const auto worst = [&] {
     const std::vector<float> open = twin.openness();
-    double most = 0;
+    double maximum = 0;
     for (double away = 0.4; away < 2.5; away += 0.2) {
       const Shown shown = shownAt(twin, {away, 0, 0});
       const double d = shown.place.x;
       const double wanted = 1 - 0.5 * (1 - d / std::sqrt(d * d + high * high));
-      most = std::max(most, std::abs(static_cast<double>(open[shown.index]) - wanted));
+      maximum = std::max(maximum, std::abs(static_cast<double>(open[shown.index]) - wanted));
     }
-    return most;
+    return maximum;
   };
   // A half-resolution pixel is 0.06 m wide. The mean over seven pixels differs from the exact values,
   // because the values are a curved function of the position.
@@ -239,7 +239,7 @@ TEST_CASE("occlusion: before a long wall") {
   // lower.
   twin.slices = draw::Occlusion::slices;
   twin.steps = draw::Occlusion::steps;
-  twin.reach.y = draw::reachOnPicture(view, 1).y;
+  twin.reach.y = draw::searchLimits(view, 1).y;
   CHECK(worst() < 0.08);
 }
 
@@ -339,7 +339,7 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
   twin.view = draw::exactView(draw::viewAt(scene.camera, 0, size, stage.drawables), scene.camera, size);
   twin.nearness = seen.nearness;
   int checked[3] = {0, 0, 0};  // numbers of checked pixels of the ground, the sheet and the instances
-  float least[3] = {1, 1, 1};
+  float minimum[3] = {1, 1, 1};
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
       const auto pixel = static_cast<std::size_t>(y * size.x + x);
@@ -368,12 +368,12 @@ TEST_CASE("exact: all that is shaded gets as much of the sky's light as it is op
       // The mean of the samples' depths differs slightly from the depth of the shaded point.
       CHECK(std::abs(after / before - open) < (ground ? 1e-4F : 0.05F));
       ++checked[kind];
-      least[kind] = std::min(least[kind], after / before);
+      minimum[kind] = std::min(minimum[kind], after / before);
     }
   for (int kind = 0; kind < 3; ++kind) {
     CAPTURE(kind);
     CHECK(checked[kind] > 100);
-    CHECK(least[kind] < 0.95F);
+    CHECK(minimum[kind] < 0.95F);
   }
 }
 

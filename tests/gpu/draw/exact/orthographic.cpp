@@ -89,13 +89,13 @@ glm::dvec3 at(const std::vector<float>& three, std::size_t pixel) {
 }
 
 /// Mean difference of light between two pictures, and mean light.
-struct Apart {
+struct PixelDifference {
   double off = 0, mean = 0;
 };
-Apart apart(const std::string& render, const std::string& objects) {
+PixelDifference pixelDifference(const std::string& render, const std::string& objects) {
   const draw::PictureLayers flat = layersAt(sceneOf(flatCamera(), render, objects), 0, {});
   const draw::PictureLayers far = layersAt(sceneOf(farCamera(), render, objects), 0, {});
-  Apart found;
+  PixelDifference found;
   for (std::size_t i = 0; i < flat.light.size(); ++i) {
     if (i % 4 == 3) continue;
     found.off += std::abs(static_cast<double>(flat.light[i] - far.light[i])) /
@@ -138,11 +138,11 @@ TEST_CASE("orthographic: the picture is that of a camera far away") {
   for (const char* quality :
        {R"("draft")", R"("standard", "occlusionRadius": 0.5)", R"("high", "raySamples": 16)"}) {
     CAPTURE(quality);
-    const Apart found = apart(fmt::format(R"(, "quality": {})", quality), things);
+    const PixelDifference found = pixelDifference(fmt::format(R"(, "quality": {})", quality), things);
     CHECK(found.off < 0.025 * found.mean);
     CHECK(found.mean > 0.1);
   }
-  const Apart glows = apart(
+  const PixelDifference glows = pixelDifference(
       "",
       R"("dust": {"particles": {"groups": [{"shape": "ball", "count": 40, "radius": 1.1}], "method": "none",
              "look": {"size": 0.2, "additive": true}}})");
@@ -188,7 +188,7 @@ TEST_CASE("orthographic: the ground is there where it lies behind the plane of t
 }
 
 TEST_CASE("orthographic: what has holes or is blended, and copies of meshes, are where they are") {
-  const Apart found = apart(
+  const PixelDifference found = pixelDifference(
       "",
       R"("pane": {"mesh": {"shape": "plane", "size": [1, 0, 1], "position": [0.3, 0.8, 0.2], "rotation": [50, 30, 0]},
              "material": {"color": [0.2, 0.5, 0.9], "alpha": "blend", "opacity": 0.4}},

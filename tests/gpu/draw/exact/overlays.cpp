@@ -71,10 +71,10 @@ draw::PictureLayers layersOf(const scene::Scene& scene, std::vector<draw::Layer>
 }
 
 /// Returns the largest difference of a pixel from an expected colour (0 to 255).
-double apart(const glm::ivec3& found, const glm::dvec3& expected) {
-  double most = 0;
-  for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(found[k] - expected[k]));
-  return most;
+double pixelDifference(const glm::ivec3& found, const glm::dvec3& expected) {
+  double maximum = 0;
+  for (int k = 0; k < 3; ++k) maximum = std::max(maximum, std::abs(found[k] - expected[k]));
+  return maximum;
 }
 
 TEST_CASE("the overlay of normals shows 0.5 + 0.5 n of the layer of normals, and only that") {
@@ -89,7 +89,7 @@ TEST_CASE("the overlay of normals shows 0.5 + 0.5 n of the layer of normals, and
       const glm::dvec3 n(layers.normal[i], layers.normal[i + 1], layers.normal[i + 2]);
       if (n == glm::dvec3(0)) continue;
       ++seen;
-      off = std::max(off, apart(overlay.at(x, y), 127.5 + 127.5 * n));
+      off = std::max(off, pixelDifference(overlay.at(x, y), 127.5 + 127.5 * n));
     }
   CHECK(seen > 400);
   CHECK(off < 1.6);  // dither and rounding
@@ -145,7 +145,7 @@ TEST_CASE("the overlay of objects gives each object its colour, also where surfa
     const glm::vec3 light = draw::objectColor(static_cast<std::size_t>(i));
     glm::dvec3 expected;
     for (int k = 0; k < 3; ++k) expected[k] = 255 * srgbOfLinear(static_cast<double>(light[k]));
-    CHECK(apart(overlay.at(6 + 12 * i, side / 2), expected) < 1.6);
+    CHECK(pixelDifference(overlay.at(6 + 12 * i, side / 2), expected) < 1.6);
   }
 }
 
@@ -180,8 +180,9 @@ TEST_CASE("panels show the pictures of their cameras, overlays and objects side 
   CHECK(same);
   // The second panel shows the box alone, from the right.
   const int below = grid.cell.y + grid.gap;
-  CHECK(apart(found.at(side / 2, below + grid.cell.y / 2), glm::dvec3(found.at(2, below + 2))) <= 1);
-  CHECK(apart(found.at(side / 2, below + 5), {255, 127.5, 127.5}) < 1.6);
+  CHECK(pixelDifference(found.at(side / 2, below + grid.cell.y / 2), glm::dvec3(found.at(2, below + 2))) <=
+        1);
+  CHECK(pixelDifference(found.at(side / 2, below + 5), {255, 127.5, 127.5}) < 1.6);
 }
 
 TEST_CASE("panels refuse names of objects that do not exist, and layers") {

@@ -128,10 +128,10 @@ TEST_CASE("exact: triangles around the least area whose weights are their own ar
   PictureTwinScene twin;
   see(twin, scene, size, 4);
   twin.doubleSided = true;
-  int least = 0;
+  int minimum = 0;
   for (int k = 0; k < 24; ++k) {
     const float area = (0.97F + 0.0025F * static_cast<float>(k)) * 1e-25F;
-    least += area < 1e-25F ? 1 : 0;
+    minimum += area < 1e-25F ? 1 : 0;
     const float depth = std::sqrt(area / 154.0F);
     for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(13, 1), glm::vec2(2, 12)}) {
       const glm::vec2 at = corner + glm::vec2(15 * (k % 6) + 1, 14 * (k / 6) + 1);
@@ -141,7 +141,7 @@ TEST_CASE("exact: triangles around the least area whose weights are their own ar
       twin.indices.push_back(static_cast<unsigned>(twin.indices.size()));
     }
   }
-  CHECK(least == 12);
+  CHECK(minimum == 12);
   TriangleStage stage(twin.places, twin.indices, twin.normals);
   CHECK(othersThanTwin(scene, twin, stage, size) == 0);
 }

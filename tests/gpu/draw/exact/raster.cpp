@@ -115,9 +115,9 @@ TEST_CASE(
     stage.surface.doubleSided = true;
     const auto twin = rasterTwin(view, samples, true, all.places, all.indices);
     CAPTURE(samples);
-    for (const char* word : LayoutAsked::words()) {
+    for (const char* word : LayoutForced::words()) {
       CAPTURE(word);
-      const LayoutAsked layout(word);
+      const LayoutForced layout(word);
       for (const auto& [smallPixels, mediumPixels] : {std::pair(64, 0), {0, 64}, {3, 21}}) {
         CAPTURE(mediumPixels);
         const SeenSamples seen = seenBy(view, samples, {&stage.surface}, smallPixels, 1000, mediumPixels);
@@ -197,7 +197,7 @@ TEST_CASE(
         const glm::dvec2 at = (glm::dvec2(x, y) + fourSamples(s)) / glm::dvec2(size) * 2.0 - 1.0;
         const glm::dvec3 ray(at.x * wide, -at.y * high, -1);
         double nearest = 200;
-        unsigned who = noKey;
+        unsigned expectedId = noKey;
         for (std::size_t i = 0; i + 2 < all.places.size(); i += 3) {
           // Intersection test of Moeller and Trumbore 1997.
           const glm::dvec3 a(all.places[i]);
@@ -213,12 +213,12 @@ TEST_CASE(
           const double t = glm::dot(ac, q) / det;
           if (u < 0 || v < 0 || u + v > 1 || t < 0.05 || t >= nearest) continue;
           nearest = t;
-          who = static_cast<unsigned>(i / 3);
+          expectedId = static_cast<unsigned>(i / 3);
         }
         const auto i = static_cast<std::size_t>((y * size.x + x) * 4 + s);
-        hits += who != noKey ? 1 : 0;
-        others += seen.ids[i] != who ? 1 : 0;
-        if (seen.ids[i] == who && who != noKey) {
+        hits += expectedId != noKey ? 1 : 0;
+        others += seen.ids[i] != expectedId ? 1 : 0;
+        if (seen.ids[i] == expectedId && expectedId != noKey) {
           const double depth =
               0.05 /
               static_cast<double>(shader::intBitsToFloat(static_cast<int>(0x7fffffffU - seen.keys[i])));

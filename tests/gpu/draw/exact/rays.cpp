@@ -25,7 +25,7 @@ constexpr double pi = std::numbers::pi;
 
 TEST_CASE("rays: in a furnace white things have the light of what is around them") {
   testContext();
-  for (const auto& [metallic, roughness, most] :
+  for (const auto& [metallic, roughness, maximum] :
        {std::tuple(0.0F, 0.9F, 0.012), {0.0F, 0.3F, 0.012}, {1.0F, 0.05F, 0.012}}) {
     CAPTURE(metallic);
     CAPTURE(roughness);
@@ -37,7 +37,7 @@ TEST_CASE("rays: in a furnace white things have the light of what is around them
     ball.material.metallic = metallic;
     const RayPicture picture = rayPicture(furnace(256), {.instances = {ball.instances}}, {48, 48});
     const double mean = picture.mean({16, 16}, {32, 32}).x;
-    CHECK(std::abs(mean - 1) < most);
+    CHECK(std::abs(mean - 1) < maximum);
   }
 }
 
@@ -182,8 +182,8 @@ TEST_CASE("rays: bands and the order of samples in memory change nothing, to the
   scene.camera.position = glm::vec3(0.4F, 1.7F, 4.1F);
   const sim::Drawables drawables{.surfaces = {sheet.surface}, .instances = {balls.instances}};
   const RayPicture first = rayPicture(scene, drawables, {75, 41}, 4);
-  for (const char* layout : LayoutAsked::words()) {
-    const LayoutAsked asked(layout);
+  for (const char* layout : LayoutForced::words()) {
+    const LayoutForced asked(layout);
     CHECK(rayPicture(scene, drawables, {75, 41}, 4).light == first.light);
   }
   CHECK(hashHex(std::as_bytes(std::span(first.light))) == "eeb70cd7e571ce6a56cc80c4a9a65ada");

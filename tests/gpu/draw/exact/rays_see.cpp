@@ -128,16 +128,16 @@ TEST_CASE(
     scene.camera.position = glm::vec3(0, -1.5F, 6);
     scene.camera.target = glm::vec3(0, 1.5F, 0);
     const RayPicture seen = rayPicture(scene, {.surfaces = {sheet.surface}}, {48, 48});
-    double worst = 0, most = 0;
+    double worst = 0, maximum = 0;
     for (int y = 16; y < 32; ++y)
       for (int x = 12; x < 36; ++x) {
         const glm::dvec3 a = mirrored.at(x, y), b = seen.at(x, 47 - y);
         for (int i = 0; i < 3; ++i) {
           worst = std::max(worst, std::abs(a[i] - b[i]));
-          most = std::max(most, b[i]);
+          maximum = std::max(maximum, b[i]);
         }
       }
-    CHECK(most > 0.5);                                // The brightest pixel proves that the sheet is
+    CHECK(maximum > 0.5);                             // The brightest pixel proves that the sheet is
                                                       // visible.
     CHECK(worst < (of == Of::relief ? 0.03 : 0.05));  // For the relief, the difference would be 0.11 if the
                                                       // reflected sheet were flat.
@@ -180,9 +180,9 @@ TEST_CASE("rays see: blended layers before what is opaque, and in a mirror") {
   before.material.finish.emission = glm::vec3(0, 1, 0);
   before.material.finish.alpha = scene::Alpha::blend;
   before.material.finish.opacity = 0.4F;
-  const auto wanted = [](const glm::dvec3& found, double most) {
-    CHECK(std::abs(found.x - 0.6) < most);
-    CHECK(std::abs(found.y - 0.4) < most);
+  const auto wanted = [](const glm::dvec3& found, double maximum) {
+    CHECK(std::abs(found.x - 0.6) < maximum);
+    CHECK(std::abs(found.y - 0.4) < maximum);
   };
   wanted(rayPicture(scene, {.surfaces = {before.surface, behind.surface}}, {16, 16}).mean({4, 4}, {12, 12}),
          0.01);

@@ -66,28 +66,28 @@ inline simreel::shader::ExactView exactViewFrom(glm::vec3 eye, glm::vec3 target,
 }
 
 /// Sets the environment variable SIMREEL_JOIN_SURFACES during its lifetime.
-struct JoiningAsked {
-  explicit JoiningAsked(const char* word) { setenv("SIMREEL_JOIN_SURFACES", word, 1); }
-  ~JoiningAsked() { unsetenv("SIMREEL_JOIN_SURFACES"); }
-  JoiningAsked(const JoiningAsked&) = delete;
-  JoiningAsked& operator=(const JoiningAsked&) = delete;
-  JoiningAsked(JoiningAsked&&) = delete;
-  JoiningAsked& operator=(JoiningAsked&&) = delete;
+struct JoiningForced {
+  explicit JoiningForced(const char* word) { setenv("SIMREEL_JOIN_SURFACES", word, 1); }
+  ~JoiningForced() { unsetenv("SIMREEL_JOIN_SURFACES"); }
+  JoiningForced(const JoiningForced&) = delete;
+  JoiningForced& operator=(const JoiningForced&) = delete;
+  JoiningForced(JoiningForced&&) = delete;
+  JoiningForced& operator=(JoiningForced&&) = delete;
 };
 
 /// Sets the environment variable SIMREEL_SAMPLE_LAYOUT (draw::sampleLayout) during its lifetime.
-struct LayoutAsked {
-  explicit LayoutAsked(const char* word) { setenv("SIMREEL_SAMPLE_LAYOUT", word, 1); }
-  ~LayoutAsked() {
+struct LayoutForced {
+  explicit LayoutForced(const char* word) { setenv("SIMREEL_SAMPLE_LAYOUT", word, 1); }
+  ~LayoutForced() {
     if (before_.empty())
       unsetenv("SIMREEL_SAMPLE_LAYOUT");
     else
       setenv("SIMREEL_SAMPLE_LAYOUT", before_.c_str(), 1);
   }
-  LayoutAsked(const LayoutAsked&) = delete;
-  LayoutAsked& operator=(const LayoutAsked&) = delete;
-  LayoutAsked(LayoutAsked&&) = delete;
-  LayoutAsked& operator=(LayoutAsked&&) = delete;
+  LayoutForced(const LayoutForced&) = delete;
+  LayoutForced& operator=(const LayoutForced&) = delete;
+  LayoutForced(LayoutForced&&) = delete;
+  LayoutForced& operator=(LayoutForced&&) = delete;
   /// Returns all layouts that the device supports.
   static std::vector<const char*> words() {
     if (simreel::gl::limits().atomics64) return {"apart", "pairs", "wholes"};

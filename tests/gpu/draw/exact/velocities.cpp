@@ -53,7 +53,7 @@ glm::dvec3 threeAt(const std::vector<float>& three, std::size_t pixel) {
 /// Returns the max difference between the velocities and `expected(position)` over all non-empty pixels.
 template <class Expected>
 double worst(const draw::PictureLayers& layers, int& seen, const Expected& expected) {
-  double most = 0;
+  double maximum = 0;
   for (std::size_t i = 0; i < layers.depth.size(); ++i) {
     const glm::dvec3 velocity = threeAt(layers.velocity, i);
     if (!std::isfinite(layers.depth[i])) {
@@ -61,9 +61,9 @@ double worst(const draw::PictureLayers& layers, int& seen, const Expected& expec
       continue;
     }
     ++seen;
-    most = std::max(most, glm::length(velocity - expected(threeAt(layers.position, i))));
+    maximum = std::max(maximum, glm::length(velocity - expected(threeAt(layers.position, i))));
   }
-  return most;
+  return maximum;
 }
 
 }  // namespace
@@ -146,7 +146,8 @@ TEST_CASE("layers: triangles and balls count from the first of their object") {
   std::array<int, 2> sides{};
   for (std::size_t i = 0; i < layers.primitive.size(); ++i) {
     const std::uint32_t number = layers.primitive[i];
-    const draw::PictureLayers::Share& share = layers.shares[i * static_cast<std::size_t>(layers.ranks)];
+    const draw::PictureLayers::ObjectCoverage& share =
+        layers.shares[i * static_cast<std::size_t>(layers.ranks)];
     const std::string object = share.coverage > 0 ? layers.objects[share.object] : "";
     if (object.empty()) beyond.insert(number);
     if (object == "dust") ofDust.insert(number);
@@ -174,7 +175,8 @@ TEST_CASE("layers: triangles and balls count from the first of their object") {
 
 TEST_CASE("velocities: shares of corners") {
   const glm::dvec3 a(0), b(2, 0, 0), c(0, 0, 3);
-  CHECK(glm::length(draw::sharesOf(a, b, c, {0.5, 7, 0.75}) - glm::dvec3(0.5, 0.25, 0.25)) < 1e-12);
-  CHECK(draw::sharesOf(a, b, c, {-4, 0, -1}) == glm::dvec3(1, 0, 0));
-  CHECK(draw::sharesOf(a, b, b, {1, 0, 0}) == glm::dvec3(1, 0, 0));
+  CHECK(glm::length(draw::barycentricWeights(a, b, c, {0.5, 7, 0.75}) - glm::dvec3(0.5, 0.25, 0.25)) <
+        1e-12);
+  CHECK(draw::barycentricWeights(a, b, c, {-4, 0, -1}) == glm::dvec3(1, 0, 0));
+  CHECK(draw::barycentricWeights(a, b, b, {1, 0, 0}) == glm::dvec3(1, 0, 0));
 }
