@@ -2,9 +2,9 @@
 // common. Without BENDS, solves both diagonal families, starting from the predicted positions. With BENDS, solves the
 // bending families along both axes, starting from the result of the diagonal families. A workgroup loads a tile of the
 // sheet into shared memory and writes only the tile's interior (relax_tile.glsl), so the colours need no separate
-// dispatches. Bending pairs are loaded by the invocations that solve their first colour and stored by the invocations
-// that solve the last colour. Diagonal pairs are loaded and stored as adjacent particles instead, because the particles
-// of such pairs are in every second column, which would make memory access slower.
+// dispatches. With BENDS, each invocation loads the particles of its pair of the first colour and stores those of its
+// pair of the last colour. Without BENDS, it loads and stores adjacent particles, because a colour's diagonal pairs lie
+// in every second column and would be slower to access.
 #include "cloth/kernel.glsl"
 #include "cloth/relax_tile.glsl"
 layout(local_size_x = relaxTileX / 2, local_size_y = relaxTileY) in;

@@ -247,7 +247,9 @@ FUNCTION vec3 thrownBack(vec3 velocity, vec3 normal) {
   return inward < 0.0f ? thrown : velocity;
 }
 
-// Correction for a point that must leave a prism between the heights `low` and `high`.
+// Result of pushing a point out of a prism. position: the corrected position; normal: the direction of the push;
+// touches: true if the point had to move; byWall: true if it was pushed sideways or by a wall's upper edge, false if
+// straight up or down.
 struct WallPush {
   vec3 position;
   vec3 normal;

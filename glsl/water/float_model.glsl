@@ -233,9 +233,12 @@ FUNCTION void floatSpread(FloatBody body, float column, float row, vec2 wide, ve
     }
 }
 
-// Returns the forces on point i of a body. `drive` is the body's thrust per volume under water (N/m^3). `steering` is
-// the body's steering moment as a force density per metre of distance from the body's axis. `turning` is the angular
-// velocity; `extent` is floatExtent() of a point's cuboid.
+// Returns what point i adds to the sums of its body: force, moment and volumes. Adds the point's displaced volume, and
+// the force opposite to its horizontal force on the body without contact, to the sums of the grid's cells
+// (floatSpread()). `t`: the body's parameters. `turning`: the body's angular velocity (rad/s). `drive`: the body's
+// thrust per volume under water (N/m^3). `steering`: the body's steering moment as a force density per metre of
+// distance from the body's axis. `extent`: size (m) of the axis-aligned box around a point's rotated cuboid
+// (floatExtent()). `wide`: half of the box's size in cells along x and z, at least 0.5. `per`: 1 / (2 wide).
 FUNCTION FloatSum floatPoint(int i, FloatBody body, FloatParameters t, vec3 turning, vec3 drive, vec3 steering, vec3 extent, vec2 wide,
                              vec2 per) {
   vec4 point = loadFloatPoint(i);

@@ -33,7 +33,8 @@ namespace api {
 
 }  // namespace api
 
-/// A scene on the device. All functions but the constructor and begin() run on the device's thread.
+/// A scene on the device. The constructor, the destructor and begin() run on the thread of the caller that
+/// owns the scene; all other functions run on the device's thread.
 struct Scene::State {
   /// Stores the source of the scene.
   State(std::shared_ptr<Device::State> on, scene::SceneInput source, bool keepsMotion);

@@ -197,8 +197,9 @@ fs::path slurmFolder(const batch::PiecePlan& plan) {
   return plan.folder / "slurm";
 }
 
-/// Prints the state of each piece. The exit code is 0 if all pieces are drawn or joined, 7 if the missing
-/// pieces are still in the cluster's queue, and 3 otherwise.
+/// Prints the state of each piece. The exit code is 7 if every piece is drawn or queued and the cluster's
+/// queue still holds jobs of the plan, 3 if other pieces are missing, and 0 if all pieces are drawn and no
+/// jobs are left, or if the pieces are joined.
 void status(const StepOptions& o) {
   if (const std::string whole = joinedOutput(o.folder); !whole.empty())
     return printText(fmt::format("all pieces are joined: {}\n", whole));

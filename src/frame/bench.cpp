@@ -64,7 +64,7 @@ struct BenchRun::State {
   scene::Scene scene;
   const gl::Context& context;
   Timing timing;
-  std::size_t depth;  ///< max number of frames in flight besides the one being issued
+  std::size_t depth;  ///< max number of frames in flight in addition to the one being issued
   sim::World world;
   draw::Renderer renderer;
   draw::Readback readback;

@@ -21,8 +21,8 @@ class VulkanMemory {
   VulkanMemory& operator=(VulkanMemory&&) = delete;
   VulkanMemory& operator=(const VulkanMemory&) = delete;
 
-  /// Returns a file descriptor for `bytes` bytes of GPU memory, or a negative number if there is not enough
-  /// memory. The memory is freed when no object uses it any more.
+  /// Returns a file descriptor for `bytes` bytes of GPU memory, or a negative number on failure, for
+  /// example if there is not enough memory. The memory is freed when no object uses it any more.
   [[nodiscard]] int exportMemory(std::size_t bytes) const;
 
  private:

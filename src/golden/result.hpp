@@ -42,7 +42,7 @@ struct StatusWords {
 /// Measured differences between two pictures of equal size. Ratios and FLIP errors are from 0 to 1. x grows
 /// to the right, y downwards.
 struct Metrics {
-  /// largest difference of one channel, 0 to 255; fractional for deep pictures
+  /// largest difference of one channel, 0 to 255; fractional for pictures with more than 8 bits per channel
   double worst = 0;
   int worstX = 0, worstY = 0;  ///< coordinates of the pixel with the largest difference
   long differentPixels = 0;    ///< number of pixels with any difference

@@ -7,8 +7,8 @@ namespace simreel::scene {
 class Fitted {
  public:
   virtual ~Fitted() = default;
-  /// Gives a default grid the aspect ratio of the picture (width and height in pixels) that shows it. Called
-  /// for scenes since version 2, after all parameters have been read.
+  /// Gives a default grid the aspect ratio of the picture (width and height in pixels) that shows it.
+  /// Called for scenes since version 2, after all parameters have been read.
   virtual void fitPicture(glm::ivec2 picture) = 0;
 };
 

@@ -17,11 +17,12 @@ struct SceneInput {
   std::vector<Override> overrides = {};            ///< values that replace those of the scene
   std::vector<std::filesystem::path> assets = {};  ///< additional folders for files of the scene
 
-  /// Returns the scene, as loadScene() and parseScene() do.
+  /// Reads and validates the scene, with its overrides applied, by loadScene() or parseScene().
   [[nodiscard]] Scene load(const Kinds& kinds) const;
-  /// Returns the scene with the tests of the sidecar if it is a file, as loadTestScene() does.
+  /// Does the same as load(), and also reads the tests of the scene's sidecar file (loadTestScene()). A
+  /// scene that is given as text has no sidecar.
   [[nodiscard]] Scene loadForTest(const Kinds& kinds) const;
-  /// Returns the scene as sceneAsRun() and textAsRun() do.
+  /// Returns the scene with its overrides applied, as plain JSON (see sceneAsRun()).
   [[nodiscard]] std::string asRun(const Kinds& kinds) const;
 };
 

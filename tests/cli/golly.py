@@ -174,11 +174,11 @@ def random_case(family, rng):
         size[:] = (max(s, 24) for s in size)
         case["fill"] = rng.choice([0.3, 0.5])
     elif family in ("far", "farthest"):
-        # "far" runs for many generations. Its ranges are so small that both programs need few operations per cell and
-        # step. One case in sixteen exceeds the sums that fit into a byte and the loop length that a software driver
-        # handles in one pass. "farthest" runs for few generations with ranges up to Golly's maximum. Golly requires
-        # grids at least twice as wide as the range. Half of the cells live, so the limits are close to half of the
-        # neighbourhood.
+        # Neighbourhoods of long range. "far" runs for many generations, so its ranges are small enough for few
+        # operations per cell and step in both programs. One case in sixteen has a larger range: its counts do not fit
+        # into a byte, or its loops are longer than a software driver runs in one pass. "farthest" runs for few
+        # generations, with ranges up to Golly's maximum. Golly requires grids at least twice as wide as the range. Half
+        # of the cells live, so the counts for survival and birth are close to half of the neighbourhood.
         shape = rng.choice("MNC")
         if family == "farthest":
             reach = rng.choice([*[rng.randrange(1, 51) for _ in range(8)], rng.randrange(51, 140), rng.randrange(200, 501)])

@@ -16,8 +16,10 @@ class FluidTwin {
   /// Steps one frame that starts at `time` (seconds).
   void step(double time);
 
-  // The following functions are the stages of a substep.
+  /// Sets the uniforms of the substep that the following functions compute.
   void setStep(const simreel::shader::FluidStep& step) { step_ = step; }
+
+  // The following functions are the stages of a substep.
   /// Gives the obstacles their state after `step` substeps of the frame that starts at `time` (seconds).
   void place(double time, int step);
   void advect();  ///< Advects the flow, and applies forces.

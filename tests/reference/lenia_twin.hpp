@@ -3,8 +3,8 @@
 
 #include <vector>
 
-/// CPU twin of a continuous automaton. It runs the kernel's own arithmetic in the same order. Equals the
-/// GPU bit for bit.
+/// CPU twin of a continuous automaton (Lenia or SmoothLife). Runs the arithmetic of the kernels
+/// (glsl/lenia/model.glsl, compiled as C++) in the same order, so its cells equal the GPU's bit for bit.
 class LeniaTwin {
  public:
   explicit LeniaTwin(simreel::sim::LeniaPlan plan);
@@ -15,9 +15,10 @@ class LeniaTwin {
   simreel::sim::LeniaPlan plan_;
 };
 
-/// SmoothLife in double precision, implemented independently from its paper (Rafler 2011, arXiv:1111.1567).
-/// It has the equations of M, N, sigma_1, sigma_2, sigma_m and s, and smooth steps f + dt (2 s - 1). There
-/// is one value per cell. Rows have no padding.
+/// SmoothLife in double precision, written from its paper (Rafler 2011, arXiv:1111.1567) without the code
+/// of the program. M and N are the means over the inner disc and the outer ring, s is the transition
+/// function from sigma_1, sigma_2 and sigma_m, and a step of the length dt changes a cell f to f + dt (2 s
+/// - 1). `cells` has one value per cell; its rows have no padding.
 class SmoothLifeInDouble {
  public:
   explicit SmoothLifeInDouble(const simreel::sim::LeniaPlan& plan);
@@ -30,8 +31,8 @@ class SmoothLifeInDouble {
   simreel::sim::LeniaParameters p_;
 };
 
-/// Lenia's equations in double precision, implemented independently as sums over neighbours. There is one
-/// value per cell. Rows have no padding.
+/// Lenia's equations in double precision, written as plain sums over neighbours without the code of the
+/// program. `cells` has one value per cell; its rows have no padding.
 class LeniaInDouble {
  public:
   explicit LeniaInDouble(const simreel::sim::LeniaPlan& plan);

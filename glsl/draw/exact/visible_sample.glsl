@@ -1,6 +1,10 @@
 // Visibility buffer of the rasterizing kernels. PASS 0 keeps the smallest depth key of each sample; pass 1 keeps the
-// lowest primitive id among those with that key. ONE_PASS: pass 0 does both. SUN_MAP: only keys, for the sun's shadow
-// map. LAMP_MAP: only keys, for one face of a lamp's shadow maps. ADDS: keeps nothing. Defines: SAMPLES, PAIRED.
+// lowest primitive id among those with that key. ONE_PASS: pass 0 does both.
+// SAMPLES: samples per pixel. PAIRED: the id and the key of a sample are stored together, id first (sample_read.glsl).
+// SUN_MAP: only keys, for the sun's shadow map. LAMP_MAP: only keys, for one face of a lamp's shadow maps. FACES: with
+// LAMP_MAP, one dispatch handles several faces (view_block.glsl), so the place of a face's first key comes from its
+// view instead of a uniform. ADDS: the kernel adds light instead of storing visible samples, so the buffers and keep()
+// are not declared.
 #include "draw/exact/sample_read.glsl"
 #ifdef SUN_MAP
 uniform int mapTexels;

@@ -1,4 +1,5 @@
-// Places instanced copies of a mesh or sphere. Defines: ADDITIVE, and the defines of draw/surface/lighting.glsl.
+// Places instanced copies of a mesh or sphere. ADDITIVE: the colour is multiplied by the brightness of the copy.
+// SHADOW: also computes the position in the sun's shadow map. LAMPS: also computes the point of the true round surface.
 #include "draw/frame_block.glsl"
 #include "draw/instances/instance_pull.glsl"
 #include "draw/screen/copy_vertex.glsl"

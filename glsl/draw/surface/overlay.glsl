@@ -43,7 +43,7 @@ FUNCTION vec3 edgedColor(vec3 base, vec3 w, vec3 right, vec3 above) {
   return color;
 }
 
-// Returns 1 in the even squares and -1 in the odd ones along an axis, with an edge one pixel wide. x: position in
+// Returns -1 in the squares 0, 2, ... and 1 in the squares 1, 3, ..., with an edge one pixel wide. x: position in
 // squares; change: its change per pixel.
 FUNCTION float squareSide(float x, float change) {
   ROUNDED float half_ = 0.5f * x + 0.25f;

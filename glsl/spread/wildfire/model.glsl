@@ -50,8 +50,8 @@ FUNCTION ivec2 galeFlight(uint gale) {
   return ivec2(int(clamp(x, -512000.0f, 512000.0f)), int(clamp(y, -512000.0f, 512000.0f)));
 }
 
-// Returns the displacement of an ember that falls onto a cell, along the wind and sideways, both random. `longest` is
-// in units of 1/256 cell.
+// Returns the random displacement, in cells, of an ember from its source to the cell where it lands: along the wind up
+// to `longest` (vector, in units of 1/256 cell), with a sideways deviation.
 FUNCTION ivec2 emberFlight(uvec3 random, ivec2 longest) {
   int along = int(random.y >> 20u);            // Position along the flight, 0 to 4095
   int side = int(random.z >> 20u) - 2048;      // Sideways position, -2048 to 2047

@@ -10,7 +10,7 @@ namespace simreel {
 /// Type of an array's numbers, in the byte order of the machine.
 enum class NumberType { float32, float64, int32, uint32, uint8 };
 
-/// Member of the structures in an array, as in a buffer of a user's kernels.
+/// Member of a structure, for arrays whose elements are structures (such as buffers of user kernels).
 struct Member {
   std::string name;  ///< path in the shader, such as "material.color"
   NumberType type = NumberType::float32;

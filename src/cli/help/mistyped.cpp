@@ -40,8 +40,8 @@ std::vector<KnownFlag> flagsOf(const CLI::App& command) {
   return flags;
 }
 
-/// Returns the flag that `word` (without dashes) resembles, or the only flag that begins with `word`.
-/// Returns null if no flag matches.
+/// Returns the flag that `word` (without dashes) resembles, or, if `word` has at least 3 letters, the only
+/// flag that begins with `word`. Returns null if no flag matches.
 const KnownFlag* nearestFlag(const std::string& word, const std::vector<KnownFlag>& flags) {
   if (word.size() < 2) return nullptr;
   std::vector<std::string> names;

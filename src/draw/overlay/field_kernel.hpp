@@ -54,8 +54,8 @@ class FieldKernel {
   /// Writes mip level 0 of the texture.
   void average(const sim::Field& field, const FieldColors& colors, const gl::Texture& texture,
                bool colored);
-  /// Max number of cells per texel along each axis. The limit is needed because software drivers end loops
-  /// after 65,535 iterations.
+  /// Max number of cells per texel along each axis. A texel sums up to 240^2 = 57,600 cells in loops;
+  /// software drivers end loops after 65,535 iterations.
   static constexpr int maxReduction = 240;
   /// Returns a texture for a field. Each texel is the mean of `reduction` x `reduction` cells.
   [[nodiscard]] static gl::Texture texture(const sim::Field& field, int reduction, bool colored,

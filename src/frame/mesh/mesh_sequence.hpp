@@ -28,7 +28,8 @@ struct SequencePlan {
   std::vector<std::string> comments;  ///< comments for the file; ignored if the format does not support
                                       ///< comments
   sim::MeshLooks looks = {};          ///< looks of the first frame's mesh, for glb
-  SkinPicturesOf skins = {};          ///< returns the pictures of a material's skin, for glb
+  SkinPicturesOf skins = {};          ///< returns the textures of a material that shows a field
+                                      ///< (scene::Skin); only for glb
 
   /// Returns the time (s) from the first frame to the frame with index `i`.
   [[nodiscard]] float seconds(std::size_t i) const {

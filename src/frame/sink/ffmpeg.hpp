@@ -17,8 +17,8 @@ namespace simreel::frame {
 [[nodiscard]] std::vector<std::string> ffmpegArguments(const std::filesystem::path& file, int width,
                                                        int height, const FrameRate& rate);
 
-/// Returns the width and height of the video. 4:2:0 encoders need even sizes, so an odd size is increased
-/// by one pixel.
+/// Returns the width and height of the video. H.264 and WebM need even sizes (their colours are 4:2:0), so
+/// an odd size is increased by one pixel; other formats keep the size.
 [[nodiscard]] std::pair<int, int> videoSize(const std::filesystem::path& file, int width, int height);
 
 /// A running ffmpeg process that reads frames through a pipe. The messages of ffmpeg go to a memory file,

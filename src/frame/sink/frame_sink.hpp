@@ -11,7 +11,7 @@
 
 namespace simreel::frame {
 
-/// Data of a frame besides its pixels.
+/// Data of a frame in addition to its pixels.
 struct FrameInfo {
   int frame = 0;
   std::string stateHash;

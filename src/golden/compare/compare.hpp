@@ -19,8 +19,8 @@ enum class Measures { all, quick };
 [[nodiscard]] Metrics measure(const frame::Image& a, const frame::Image& b,
                               const scene::Tolerance& tolerance, Measures measures = Measures::all);
 
-/// Compares deep pictures. `difference`: largest channel difference of each pixel in units of 1/255. `a`
-/// and `b`: 8-bit versions for display.
+/// Compares pictures of which at least one has more than 8 bits per channel. `difference`: largest channel
+/// difference of each pixel in units of 1/255. `a` and `b`: 8-bit versions for display.
 [[nodiscard]] Metrics measureDifferences(const std::vector<float>& difference, const frame::Image& a,
                                          const frame::Image& b, const scene::Tolerance& tolerance,
                                          Measures measures = Measures::all);

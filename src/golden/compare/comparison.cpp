@@ -87,7 +87,8 @@ std::string layerWords(const std::vector<LayerPair>& pairs, const std::vector<Ex
   return clauses.empty() ? std::string() : fmt::format("layers that differ: {}", fmt::join(clauses, ", "));
 }
 
-/// Two pictures that are compared by float values, because at least one of them is deeper than 8 bits.
+/// Two pictures that are compared by float values, because at least one of them has more than 8 bits per
+/// channel.
 struct DeepPair {
   std::vector<float> a, b;
   bool sameDepth;
@@ -117,8 +118,9 @@ struct DeepPair {
   }
 };
 
-/// Returns the PSNR over R, G and B of deep pictures, whose small differences are lost in 8 bits.
-/// Transparent pictures are measured over black and over white, and the worse result counts.
+/// Returns the PSNR over R, G and B of pictures with more than 8 bits per channel, whose small differences
+/// are lost in 8 bits. Transparent pictures are measured over black and over white, and the worse result
+/// counts.
 double deepPsnr(const DeepPair& pair) {
   double worst = std::numeric_limits<double>::infinity();
   for (const double background : {0.0, 255.0}) {

@@ -31,9 +31,10 @@ struct Comparison {
 };
 
 /// Compares pictures of any bit depth. Pictures of different sizes are padded at the right and bottom to
-/// the larger size, and the padding counts as different. Ignored pixels count as equal. Differences of deep
-/// pictures may be fractions of 1/255. Differences of layers are in 1/255 of the layer's unit. PSNR, SSIM
-/// and FLIP use the 8-bit versions.
+/// the larger size, and the padding counts as different. Ignored pixels count as equal. If a picture has
+/// more than 8 bits per channel, its differences may be fractions of 1/255. Differences of layers are in
+/// 1/255 of the layer's unit. SSIM and FLIP use the 8-bit versions. PSNR uses the 8-bit versions too,
+/// except for pictures with more than 8 bits per channel without linear light.
 [[nodiscard]] Comparison compare(const Picture& baseline, const Picture& picture,
                                  const scene::Tolerance& tolerance, const Allowance& allowance,
                                  Measures measures = Measures::all);

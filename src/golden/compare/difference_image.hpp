@@ -10,8 +10,8 @@ namespace simreel::golden {
 /// dim grey. Other pixels range from bright blue (difference 1/255) through green and yellow to red
 /// (255/255), by the logarithm of the largest channel difference.
 [[nodiscard]] frame::Image differenceImage(const frame::Image& a, const frame::Image& b);
-/// Returns the difference image for known differences of each pixel, rounded up. It is used for deep
-/// pictures.
+/// Returns the difference image for known differences of each pixel, rounded up. It is used for pictures
+/// with more than 8 bits per channel.
 [[nodiscard]] frame::Image differenceImage(const frame::Image& a,
                                            const std::vector<std::uint8_t>& difference);
 

@@ -22,10 +22,11 @@ enum class Depth {
 
 /// A decoded picture file. Row 0 is at the top.
 struct Picture {
-  /// 8-bit version for display: deep values are rounded, linear light is clamped and sRGB encoded
+  /// 8-bit version for display: values of more than 8 bits per channel are rounded, linear light is clamped
+  /// and sRGB encoded
   frame::Image image;
   Depth depth = Depth::unorm8;
-  /// RGBA of each pixel if the file is deeper than 8 bits; otherwise empty
+  /// RGBA of each pixel if the file has more than 8 bits per channel; otherwise empty
   std::vector<float> values;
   /// colour interpretation that the file declares, from colourWords()
   std::string colours;

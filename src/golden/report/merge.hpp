@@ -13,7 +13,8 @@ struct PartReport {
   SuiteResult suite;
 };
 
-/// Reads report.json, given its path or its folder. Throws UserError(usage).
+/// Reads report.json, given its path or its folder. Throws UserError: usage if the file is missing or not a
+/// valid report, inputOutput if it cannot be read.
 [[nodiscard]] PartReport readPart(const std::filesystem::path& report);
 
 struct Merged {

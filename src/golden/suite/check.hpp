@@ -22,7 +22,7 @@ class Checker {
   /// component or quantity. The message lists the known names. Also throws it if a "not-blank" check is at
   /// a frame without a picture. `testedFrames`: frames (ascending) for which picture() will be called.
   Checker(const scene::Scene& scene, const sim::World& world, std::span<const int> testedFrames);
-  /// Returns the frames, in ascending order, that checks need besides the tested ones.
+  /// Returns the frames, in ascending order, that checks need in addition to the tested ones.
   [[nodiscard]] std::vector<int> frames() const;
   /// Evaluates the state checks of `frame`, which must be the world's current frame. Waits for the GPU and
   /// reads back state only if a check of this frame needs it. Call with ascending frames.

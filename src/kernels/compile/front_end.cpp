@@ -55,7 +55,7 @@ class Includer : public glslang::TShader::Includer {
       found = files_.include(name, beside, fileNumber(from, files_.count()), reason);
     if (!found) {
       // For #include "name", glslang calls includeLocal() and, if that fails, includeSystem(). Only the
-      // reason of the first failure is stored, because it also covers the folders.
+      // first reason is stored, because includeLocal() has also searched the include folders.
       if (std::none_of(failed_.begin(), failed_.end(), [&](const auto& one) { return one.first == name; }))
         failed_.emplace_back(name, reason);
       return nullptr;

@@ -41,7 +41,9 @@ class Races {
  private:
   enum class Task { record, read, store };
 
-  /// Creates a shadow buffer for each variable that the kernel stores to.
+  /// Creates a shadow buffer for each variable that the kernel stores to, unless the checks do not support
+  /// it (cube maps, multisampled images and arrays of resources) or the program itself has added it (names
+  /// that begin with simreel_).
   void findShadowed() {
     std::vector<Id> stored;
     const auto add = [&](Id variable) {

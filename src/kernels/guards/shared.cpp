@@ -142,8 +142,9 @@ class Shared {
     low_ = binary(SpvOpBitwiseOr, begun, binary(SpvOpISub, number(invocationLimit), local_));
   }
 
-  /// Emits the index of the invocation in a tag, and a bool. The bool is true if this is another invocation
-  /// that accessed the word since the last barrier. `low`: true if the tag is for the lowest invocation.
+  /// Emits code that decodes a tag. Returns the ids of two values: the index of the tag's invocation, and a
+  /// bool that is true if that is not this invocation and it accessed the word since the last barrier.
+  /// `low`: the tag keeps the lowest invocation, not the highest.
   std::pair<Id, Id> other(Id tag, bool low) {
     const Id kept = binary(SpvOpBitwiseAnd, tag, number((1U << tagBits) - 1));
     const Id invocation =

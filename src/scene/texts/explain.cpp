@@ -101,7 +101,8 @@ class Explainer final : public Fields {
   [[nodiscard]] bool given(const char* name) const override { return find(name) != nullptr; }
   [[nodiscard]] int version() const override { return shared_.version; }
 
-  /// Maps sections that the scene leaves out to the origin of their values, such as the stage.
+  /// Maps each section that the scene leaves out to where its values come from, for example "sky" to
+  /// "stage".
   std::map<std::string, std::string> derivedSections = {};
 
  private:

@@ -6,7 +6,8 @@
 
 namespace simreel::serve {
 
-/// Runs this program as another process while pictures are shown.
+/// Child process that runs this program with another command, while the parent process keeps showing
+/// pictures.
 class ChildProcess {
  public:
   ChildProcess() = default;

@@ -148,9 +148,9 @@ class Player {
   int target_ = 0;
   std::optional<int> frameBeforeDrag_;  ///< frame to which to return after a drag, during which states were
                                         ///< carried over from a simulation with other values
-  Clock::time_point due_;    ///< time at which the next frame must be shown
-  Clock::time_point moved_;  ///< time of the last drag request
-  double restSeconds_ = 0;   ///< time (s) without a drag request after which the full picture is drawn
+  Clock::time_point due_;               ///< time at which the next frame must be shown
+  Clock::time_point moved_;             ///< time of the last drag request
+  double restSeconds_ = 0;  ///< time (s) without a drag request after which the full picture is drawn
   Clock::time_point filesCheckedAt_;  ///< time of the last check of the files
   Clock::time_point statusSentAt_;    ///< time at which the series of the charts were last sent
   bool fullPictureShown_ = false;     ///< true if the shown picture is a full one and up to date

@@ -43,9 +43,10 @@ struct Script {
 [[nodiscard]] std::shared_ptr<Script> readScript(const SceneSource& source, const std::string& text,
                                                  std::vector<scene::Override> edits);
 
-/// Places the camera of a scene for which this requires a simulation of the motion (sim::surveyMotion).
-/// Uses the current context. `known`: script whose survey is reused if its simulation is the same; may be
-/// null. While a value is dragged (`moving`), the survey is also reused if the simulation is similar.
+/// Places the automatic camera and stage of a scene whose extent is known only after a simulation of its
+/// motion (sim::surveyMotion), and sets its automatic colour ranges; does nothing for scenes that need
+/// neither. Uses the current context. `known`: script whose survey is reused if its simulation is the same;
+/// may be null. While a value is dragged (`moving`), the survey of a different simulation is also reused.
 /// Throws the errors of the simulation.
 void placeCamera(Script& script, const Script* known, bool moving);
 /// True if automatically placed cameras and stages are equal.

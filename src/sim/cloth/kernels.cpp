@@ -194,8 +194,8 @@ void ClothKernels::makeKernels(const TouchVariant& touch, bool fast) {
           defines, {.forces = forces, .wind = wind, .damped = p.damped(), .bends = later == 1});
 }
 
-// Returns the kernel that solves rows or columns. A workgroup solves as many lines as fit into it, at most
-// the SIMD width of a software driver.
+// Returns the kernel that solves rows or columns. A workgroup solves as many lines as fit into it, but on
+// all drivers no more than 8, the SIMD width of a software driver.
 gl::Kernel<ClothSolveKernel> ClothKernels::lineSolver(const gl::Defines& defines, const TouchVariant& touch,
                                                       bool rows) const {
   const int segments = segmentsOf(rows ? size_.x : size_.y);

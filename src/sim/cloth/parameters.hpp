@@ -98,9 +98,10 @@ struct ClothParameters : ObjectParameters,
   std::optional<Air> air;
   std::optional<int> substeps = 4;
   std::vector<PinGroup> pins;
-  /// Radius, in multiples of the spacing and including the margin, below which a collider is tested against
-  /// edges and faces instead of vertices. A stretched sheet has holes between its vertices that are wider
-  /// than the spacing, through which small colliders would slip.
+  /// Radius plus margin, in multiples of the spacing, below which a collider is tested against edges and
+  /// faces instead of vertices. Colliders that could pass between vertices (ColliderPlan::isThin()) are
+  /// always tested so; this value adds larger ones, because the holes between the vertices of a stretched
+  /// sheet are wider than the spacing.
   float smallColliders = 0;
   bool pinsByDefault = false;  ///< true if the scene gives no "pins"
   std::optional<ClothContact> contact;

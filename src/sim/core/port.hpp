@@ -82,8 +82,8 @@ class Ports {
     When when;
     bool all = false;        ///< True if the object takes from every object that provides the port.
     bool needed = false;     ///< If `all` is true: true if at least one provider is required.
-    std::string words = {};  ///< Text appended to the message "no object is named". It describes what a
-                             ///< scene can give instead of a provider.
+    std::string words = {};  ///< Text after the name in the message `no object is named "a"`. It describes
+                             ///< what a scene can give instead of a provider.
     bool whole = false;      ///< True if only a whole object may be named, and not a part of it.
   };
   struct Join {

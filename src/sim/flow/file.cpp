@@ -32,7 +32,8 @@ struct Lines {
   double first = 0, spacing = 1;
   int count = 0;
 
-  /// Returns the index of the grid line at the coordinate `place`, or -1 if none exists.
+  /// Returns the index of the grid line at the coordinate `place`, or -1 if none exists. `place` must not
+  /// lie outside the grid, because the index is not checked against `count`.
   [[nodiscard]] int at(double place) const {
     const double index = std::round((place - first) / spacing);
     constexpr double slack = 0.02;

@@ -56,7 +56,8 @@ class FluidArrays {
   /// Strides for Field in words: from one cell to the next, and from one float of a cell to the next.
   [[nodiscard]] int cellWords() const { return texels_ ? 4 : 1; }
   [[nodiscard]] int floatWords() const { return texels_ ? 1 : elements_; }
-  /// Visits flow and dye. In files, the elements are consecutive on every memory path.
+  /// Visits flow and dye. On every memory path, checkpoint files hold four consecutive floats per cell,
+  /// which is the layout of the texel path.
   void visitCheckpointData(CarryOver& carry);
 
  private:

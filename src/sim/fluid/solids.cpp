@@ -140,7 +140,8 @@ struct FluidSolids::Nearest {
         if (wraps.y && y + 1 == size.y) topAt(x, 0) = 0;
       }
   }
-  /// On a periodic axis the first and last corners are the same.
+  /// Sets the first and the last corners on periodic axes, which are the same points, to the smaller of
+  /// their distances.
   void join(glm::bvec2 wraps) {
     for (int y = 0; wraps.x && y <= size.y; ++y)
       corner(0, y) = corner(size.x, y) = std::min(corner(0, y), corner(size.x, y));
@@ -290,9 +291,9 @@ void FluidSolids::findPockets(glm::bvec2 wraps) {
   }
 }
 
-// Balances the volume that obstacles and sides push into each pocket without an open side: every cell of
-// the pocket absorbs an equal part. The volume is the flux through the closed parts of the cells' faces,
-// summed over the pocket; the flux between its cells cancels.
+// Computes the divergence that compensates the net flux of moving obstacles and of the grid's sides into
+// each pocket without an open side. It is equal per fluid area in the whole pocket. The net flux is summed
+// over the closed parts of all cell faces; faces between two cells of the pocket cancel.
 void FluidSolids::balance(const FluidParameters& p, const shader::FluidStep& sides) {
   const glm::bvec2 wraps(p.wrapsX(), p.wrapsY());
   const auto solidAt = [&](int x, int y) {

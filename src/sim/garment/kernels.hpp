@@ -37,7 +37,8 @@ class GarmentKernels {
   /// Computes the state after a substep, where `bending` is an index into the plan's bendings. finish()
   /// makes it the current state.
   void predict(int substep, const Step& step, std::size_t bending, const TouchPart& touch);
-  /// Repeats the last part of predict() for the vertices that contact has pushed since then.
+  /// Recomputes velocities and collisions (the last part of predict()) for the vertices that contact has
+  /// moved since then.
   void settle(const Step& step, const TouchPart& touch) const { meet(settleAgain_, step, touch); }
   void finish() { std::swap(positions_[0], positions_[1]); }
   /// Computes the drawn positions and normals of the current state; `step` can be the block of any substep.

@@ -25,8 +25,8 @@ struct StrokeWay {
 };
 [[nodiscard]] StrokeWay strokeWay(const StrokeParameters& stroke, double time, double seconds);
 
-/// Returns a shader::Stroke with value, seed and fraction of the scene's stroke number `index`, for the
-/// state at `time` (seconds) with step number `step`.
+/// Returns a shader::Stroke in which only value, seed and picked are set, from stroke number `index` at
+/// `time` (seconds) in step `step`. The caller sets the geometry.
 [[nodiscard]] shader::Stroke strokePaint(const StrokeParameters& stroke, int seed, std::size_t index,
                                          double time, long step);
 

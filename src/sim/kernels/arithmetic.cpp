@@ -66,8 +66,8 @@ std::vector<glm::vec2> probePairs() {
   return pairs;
 }
 
-/// Rounds to float and replaces a result that is below 2^-126 with an unlimited exponent by zero. `exact`
-/// may have been rounded to double.
+/// Rounds to float and flushes to zero: returns 0 if the magnitude, rounded to 24 bits as if the exponent
+/// had no lower limit, is below 2^-126. `exact` may already be rounded to double.
 float flushed(double exact) {
   const double scaled = static_cast<double>(static_cast<float>(exact * 0x1p64));
   return std::abs(scaled) < 0x1p-62 ? 0.0F : static_cast<float>(exact);

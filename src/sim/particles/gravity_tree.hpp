@@ -75,9 +75,9 @@ class GravityTree {
   gl::Kernel<TreeWalkList> walkList_;
 };
 
-/// Returns 1/opening for the kernels, at least 0.87 (opening 1.15). With a smaller value, a node could
-/// represent bodies of the group that it attracts, because half the diagonal of a cube is 0.866 times its
-/// side.
+/// Returns 1/opening, the distance in node sides beyond which a node replaces its bodies. It is at least
+/// 0.87, which is more than half a cube's diagonal (0.866 sides); otherwise a group inside a node could be
+/// attracted by its own bodies.
 [[nodiscard]] float perOpening(float opening);
 
 /// Returns eps^2 in m^2 for the kernels. It is never zero, so that the distance of a body to itself causes

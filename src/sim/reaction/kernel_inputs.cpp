@@ -107,9 +107,11 @@ void ReactionKernels::setMap(int parameter, const Field& field, int layers) {
                  .plane = parameter,
                  .fieldLayers = layers,
                  .storedGrain = storedGrain,
-                 .byCell = field.size == size_ ? 1 : 0,  // A grid never has a single row, so a field of
-                                                         // equal size belongs to the cells of the same mesh
-                                                         // and is copied cell by cell.
+                 .byCell = field.size == size_ ? 1 : 0,  // Used only on meshes (MESH), where size_ is a
+                                                         // single row of cells. A grid never has a single
+                                                         // row, so a field of equal size belongs to the
+                                                         // cells of the same mesh and is copied cell by
+                                                         // cell.
                  .places = places_,
                  .maps = weights_});
 }

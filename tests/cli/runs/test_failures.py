@@ -42,7 +42,7 @@ class Device(Case):
         def limited(size, hard):
             return lambda: resource.setrlimit(resource.RLIMIT_STACK, (size << 10, hard))
         self.good("render", "scene.json", "-o", "out/", "--frames", "0", preexec_fn=limited(64, resource.RLIM_INFINITY))
-        # No process may raise its limit, so the program runs without the capability of root to do so.
+        # Root could raise its hard limit, so the program runs without CAP_SYS_RESOURCE.
         done = subprocess.run(["setpriv", "--bounding-set=-sys_resource", "--inh-caps=-sys_resource", "prlimit", f"--stack={64 << 10}:{64 << 10}",
                                PROGRAM, "list"], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 4, done.stderr)

@@ -63,7 +63,7 @@ class Sweep(Case):
             (f, k) for f in ("0.02", "0.03", "0.04") for k in ("0.055", "0.06"))] + ["6 jobs: 0 done, 6 missing"])
         # Jobs 5 and 2 run one by one, as an external scheduler would run them.
         self.good("sweep", "job", "sw", "5", "2")
-        # Jobs 2 and 5 stay below the bound of the check.
+        # Jobs 2 and 5 pass the scene's check, so the status mentions no failed checks.
         self.assertEqual(self.status(3)[-1], "6 jobs: 2 done, 4 missing")
         done = self.run_program("sweep", "dish.json", *vary, "-o", "sw/", "--jobs", "2", "--progress", "ndjson")
         # A check fails for a pattern that has grown a lot. The pictures are written nevertheless.

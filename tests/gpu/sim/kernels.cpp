@@ -382,7 +382,8 @@ RWStructuredBuffer<float> _Data;
 }
 
 TEST_CASE("kernels: whole numbers divide exactly") {
-  // 0.3 s. The divisors are random numbers of 1 to 32 bits and the dividends lie next to their multiples.
+  // Runs for 0.3 s. Divisors are random, of 1 to 32 bits. One third of the dividends are random; the others
+  // are a multiple of the divisor, or one less.
   const ShaderText shader(R"(#pragma kernel Divide
 RWStructuredBuffer<uint4> _Out;
 uint Next(inout uint state) { state = state * 1664525u + 1013904223u; return state ^ (state >> 16); }

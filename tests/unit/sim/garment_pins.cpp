@@ -65,7 +65,8 @@ TEST_CASE("garment: pins are selected by vertex, by a box in world space and by 
                                 std::string("P5 2 2 255\n") + '\x10' + '\x7f' + '\x20' + '\xff');
   p.pins.emplace_back().map = map.path();
   std::set<std::size_t> expected;
-  for (std::size_t z = 5; z < 10; ++z)  // The image repeats, so uv 1 is uv 0 of the next repetition.
+  // Vertex 10 (uv 1) is not pinned: the image repeats, so uv 1 reads the first pixel.
+  for (std::size_t z = 5; z < 10; ++z)
     for (std::size_t x = 5; x < 10; ++x) expected.insert(z * 11 + x);
   CHECK(pinnedVertices(p) == expected);
 }

@@ -1,5 +1,6 @@
 // Rasterizes the small balls of instances, one per invocation. Appends the other balls to a list (large_balls.comp):
-// large balls from its start and, with MEDIUM, medium-sized balls from its end. Defines: SAMPLES, PASS.
+// large balls from its start and, with MEDIUM, medium-sized balls from its end. SAMPLES, PASS: as in
+// draw/exact/visible_sample.glsl.
 #define EXACT_PICTURE
 #include "draw/exact/instances/raster_ball.glsl"
 #include "draw/exact/instances/box.glsl"

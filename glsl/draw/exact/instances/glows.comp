@@ -1,7 +1,7 @@
 // Adds the light of small glows to the sums, one glow per invocation. Appends the other glows to a list: large glows
 // from its start and, with MEDIUM, medium-sized glows from its end. LARGE: handles the listed glows. With MEDIUM, it
 // first handles the medium-sized ones, one per workgroup. Then it handles the large ones; for each glow, the workgroups
-// split the tiles between them. Defines: BALL, SAMPLES.
+// split the tiles between them. BALL: glows are spheres (glow_disc.glsl). SAMPLES: samples per pixel.
 #define EXACT_PICTURE
 #include "draw/exact/instances/glow_disc.glsl"
 uniform int draw_;        // index of the current instances among all additive instances

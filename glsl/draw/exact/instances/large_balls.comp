@@ -1,5 +1,6 @@
 // Rasterizes the large balls in the list of balls.comp. For each ball, the workgroups split the tiles between them.
-// MEDIUM: first rasterizes the medium-sized balls, one per workgroup. Defines: SAMPLES, PASS.
+// MEDIUM: first rasterizes the medium-sized balls, one per workgroup. SAMPLES, PASS: as in
+// draw/exact/visible_sample.glsl.
 #define EXACT_PICTURE
 #include "draw/exact/instances/raster_ball.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

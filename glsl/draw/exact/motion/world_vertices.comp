@@ -1,5 +1,7 @@
 // Writes a surface's vertices and normals in world space, as input of the interpolation between frames. One invocation
-// writes one vertex. Defines: GRID, DEFORMED, PALETTE.
+// writes one vertex. GRID: the vertices form a grid, from which normals are computed; otherwise normals are read.
+// DEFORMED: vertices are displaced first (draw/surface/deformed_vertex.glsl). PALETTE: also writes the palette index of
+// each vertex.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 layout(local_size_x = 64) in;

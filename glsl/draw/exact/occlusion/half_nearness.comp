@@ -1,6 +1,6 @@
 // Writes the nearness of the nearest sample in each half pixel (block of 2x2 pixels) of the current band of picture
-// rows. GROUND: the ground counts too. One invocation handles ROWS vertically adjacent half pixels. Defines: SAMPLES,
-// PAIRED.
+// rows. GROUND: the ground counts too. One invocation handles ROWS vertically adjacent half pixels. SAMPLES: samples
+// per pixel. PAIRED: as in draw/exact/sample_read.glsl.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"

@@ -1,6 +1,6 @@
 // Computes the occluded and the total ambient light of each half pixel (block of 2x2 pixels) by
-// draw/exact/occlusion/horizons.glsl. One invocation handles ROWS vertically adjacent half pixels. Defines: SLICES,
-// STEPS.
+// draw/exact/occlusion/horizons.glsl. One invocation handles ROWS vertically adjacent half pixels. SLICES: number of
+// slices per half pixel. STEPS: number of samples along each of the two directions of a slice.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"

@@ -1,5 +1,7 @@
-// Computes the shading point (facet) where a ray hits the scene. Defines: TRIANGLES, BALLS, GROUND; LAID, RAISED,
-// SKINS, EMITTERS, FINISHED.
+// Computes the shading point (facet) where a ray hits the scene. TRIANGLES, BALLS, GROUND: the scene has these objects.
+// LAID: materials have textures (maps) or skins (laid_on.glsl). RAISED: the texture adds a relief. SKINS: some surfaces
+// have skins. EMITTERS: facets may emit light. FINISHED: facets may have a coat or fibres, or transmit light
+// (facet.glsl).
 #include "draw/exact/rays/rounded_place.glsl"
 #include "draw/exact/rays/looks.glsl"
 #ifdef TRIANGLES

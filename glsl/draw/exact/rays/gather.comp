@@ -1,7 +1,8 @@
 // Appends a surface to the ray scene: vertices in world space, the vertex words for shading (normal, colour as half
-// floats, index in the material table) and triangles. One invocation handles one vertex and one triangle. Defines:
-// GRID, DEFORMED, COUNTED, PALETTE, VERTEX_COLORS. LAID: also writes the uv or, with TRIPLANAR, the position in the
-// surface's object space.
+// floats, index in the material table) and triangles. One invocation handles one vertex and one triangle. GRID,
+// DEFORMED: as in draw/exact/triangles/world_vertex.glsl. COUNTED: the GPU has written the number of triangles to the
+// draw arguments. PALETTE: colours are read from the palette. VERTEX_COLORS: colours are multiplied by a colour per
+// vertex. LAID: also writes the uv or, with TRIPLANAR, the position in the surface's object space.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"

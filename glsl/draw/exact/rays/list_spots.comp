@@ -1,5 +1,6 @@
-// Lists the visible spots of a band of rows: for each spot, the index of its sample and its number of rays. Clears the
-// light of each spot. One invocation handles one pixel. Defines: SAMPLES, PAIRED.
+// Lists the visible surface points (spots, see pixel_spots.glsl) of a band of rows: for each spot, the index of its
+// sample and its number of rays. Clears the light of each spot. One invocation handles one pixel. SAMPLES: samples per
+// pixel. PAIRED: as in draw/exact/sample_read.glsl.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/pixel_spots.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;

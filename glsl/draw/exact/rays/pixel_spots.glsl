@@ -1,4 +1,5 @@
-// Spots of a pixel. The samples of a pixel that show the same primitive share one spot. Defines: SAMPLES, PAIRED.
+// Spots of a pixel: its visible surface points that rays light later (spots.glsl). The samples of a pixel that show the
+// same primitive share one spot. SAMPLES: samples per pixel. PAIRED: as in draw/exact/sample_read.glsl.
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/sample_read.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"

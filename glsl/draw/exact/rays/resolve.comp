@@ -1,4 +1,6 @@
-// Adds the light of the spots to the pixels. One invocation handles one pixel. Defines: SAMPLES, PAIRED.
+// Adds the ray-traced light of each pixel's visible surface points (spots, see pixel_spots.glsl) to the pixel, weighted
+// by the samples that share the point. One invocation handles one pixel. SAMPLES: samples per pixel. PAIRED: as in
+// draw/exact/sample_read.glsl.
 #include "draw/exact/rays/bindings.glsl"
 #include "draw/exact/rays/pixel_spots.glsl"
 #include "draw/exact/fixed.glsl"

@@ -1,6 +1,6 @@
-// Starts the paths at the visible spots. Each path has a shadow ray to the sun, a shadow ray to a lamp, and a
-// continuation ray. One invocation handles one path. Defines: SAMPLES; LAMPS and the other light defines; ENVIRONMENT;
-// BALLOT.
+// Starts the paths at the visible surface points (spots, see spots.glsl). Each path has a shadow ray to the sun, a
+// shadow ray to a lamp, and a continuation ray. One invocation handles one path. Defines: SAMPLES; LAMPS and the other
+// light defines; ENVIRONMENT; BALLOT.
 #define EXACT_PICTURE
 #define LISTS_RAYS
 #include "draw/frame_block.glsl"

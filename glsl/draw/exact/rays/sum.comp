@@ -1,5 +1,6 @@
-// Adds the light of paths to their spots, sample by sample in a fixed order. The indirect light of a sample is scaled
-// down if one of its channels is above `maximum`, which suppresses fireflies. One invocation handles one spot.
+// Adds the light of paths to the visible surface points where they start (spots, see spots.glsl), sample by sample in a
+// fixed order. The indirect light of a sample is scaled down if one of its channels is above `maximum`, which
+// suppresses fireflies. One invocation handles one spot.
 #include "draw/exact/rays/bindings.glsl"
 #include "common/exact.glsl"
 layout(local_size_x = 64) in;

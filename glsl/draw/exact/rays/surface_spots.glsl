@@ -1,4 +1,4 @@
-// Stores a visible spot of a surface for the ray kernels.
+// Stores a visible point of a surface (spot, see spots.glsl) for the ray kernels.
 #include "draw/exact/rays/spots.glsl"
 #include "draw/exact/rays/rounded_place.glsl"
 

@@ -1,27 +1,32 @@
-// Screen-space reflections. They trace a ray from a visible point through the content of the picture (M. McGuire and M.
-// Mara, "Efficient GPU screen-space ray tracing", Journal of Computer Graphics Techniques 3(4), 2014, for the path on
-// the picture and the thickness; Y. Uludag, "Hi-Z screen-space cone-traced reflections", GPU Pro 5, 2014, for the
-// levels). Compiles as GLSL and as C++. The including file declares `view`, float nearestAt(level, cell) and vec4
-// litAt(level, cell) of half pixels (blocks of 2x2 pixels), and vec2 mirrorReach_: max length of rays and thickness of
-// objects (m).
+// Screen-space reflections: a ray from a visible point is followed through the picture's depth. Sources: M. McGuire and
+// M. Mara, "Efficient GPU screen-space ray tracing", Journal of Computer Graphics Techniques 3(4), 2014 (the path on
+// the picture and the thickness); Y. Uludag, "Hi-Z screen-space cone-traced reflections", GPU Pro 5, 2014 (the levels).
+// Compiles as GLSL and as C++. The including file declares `view`, float nearestAt(level, cell) and vec4 litAt(level,
+// cell) of half pixels (blocks of 2x2 pixels), and vec2 mirrorReach_: max length of rays and thickness of objects (m).
 // On the picture a ray is a line, and its nearness is affine along the line, as for planes: n(t) = n0 + t n', with t in
 // half pixels. A cell of a level holds the nearness of the nearest point that it covers. If that point is farther away
 // than the ray in the whole cell, the ray hits nothing there and continues with larger cells. Otherwise it continues
 // with smaller cells. In a half pixel the ray has hit something if these three conditions hold:
-// 1. nearest(t1) > n(t1). At the end t1 of its path through the half pixel the ray is behind the visible surface.
-// 2. 1 / nearest - 1 / n(t) < thickness. At its nearer end the ray is behind the surface by less than the thickness.
-// 3. nearest is greater than the nearness of the mirror's plane, by more than the plane's change over a half pixel.
-// The weight of a hit falls from 1 to 0 in these cases:
-// - the ray is far behind the visible surface (by more than the surface's change over a half pixel, sooner for a curved
-// mirror);
-// - the hit is within a tenth of the picture's height of its border;
-// - the hit is in the farther half of the max length;
-// - the ray comes towards the eye, because the back sides of objects are not visible;
-// - the mirror is so curved that neighbouring half pixels reflect points 1/8 to 3/4 half pixels apart, which would be
-// noise;
-// - the roughness goes from 0.1 to 0.3, because rougher mirrors would need blurred edges.
-// The remaining weight counts as a miss. REFRACTED: the ray has passed through glass. It has no plane of its own, and
-// neither the roughness nor the curvature reduce the weight: they only blur what is seen.
+// 1. nearest > n(t) at the farther end of the ray's path through the half pixel: there the ray is behind the visible
+// surface.
+// 2. 1 / n(t) - 1 / nearest < thickness at the nearer end: there the ray is behind the visible surface by less than the
+// thickness of objects. (In orthographic views the nearness is a negative depth plus a constant, and the condition is
+// nearest - n(t) < thickness.)
+// 3. The visible surface is in front of the mirror's plane: nearest is greater than the plane's nearness by 3/4 of the
+// plane's change over a half pixel (the sum of both axes), and by 0.2% of the mirror's nearness.
+// The weight of a hit is reduced from 1 to 0 as:
+// - the depth of the ray behind the visible surface, less the surface's change over a half pixel (the sum of both axes,
+// at most 1%), grows from 0 to the thickness, and sooner for a curved mirror;
+// - the distance of the hit from the border of the picture falls from a tenth of the picture's height to 0;
+// - the distance of the hit along the ray grows from half of the max length to the max length;
+// - the cosine of the angle between the ray and the direction to the eye grows from 0 to 1/2, because the back sides of
+// objects are not visible;
+// - the distance between the points that neighbouring half pixels of a curved mirror reflect grows from 1/8 to 3/4 half
+// pixel, which would be noise;
+// - the roughness grows from 0.1 to 0.3, because rougher mirrors would need blurred edges.
+// The remaining weight counts as a miss. REFRACTED: the ray has passed through glass. It has no mirror's plane, so
+// condition 3 always holds. The roughness does not reduce the weight. The curvature reduces it only through the first
+// case of the list.
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"

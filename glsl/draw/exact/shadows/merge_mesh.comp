@@ -1,5 +1,6 @@
 // Appends a surface to the merged mesh of shadow casters: vertices in world space, and triangles in any order. One
-// invocation handles one vertex and one triangle. Defines: DEFORMED, COUNTED.
+// invocation handles one vertex and one triangle. DEFORMED: as in draw/exact/triangles/world_vertex.glsl. COUNTED: the
+// GPU has written the number of triangles to the draw arguments.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
 // Reads the tile of a workgroup from a list of tiles.comp, and the content of the invocation's pixels. One invocation
-// handles ROWS pixels, 1 or 8. Defines: SAMPLES, PAIRED.
+// handles ROWS pixels, 1 or 8. SAMPLES: samples per pixel. PAIRED: as in draw/exact/sample_read.glsl.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"
@@ -108,7 +108,7 @@ float shareOf(ivec2 pixel, int samples, float alpha) {
 }
 #endif
 
-// RAYS: rays light a spot later, so its fraction is stored.
+// RAYS: rays light the surface point (spot) later, so its fraction is stored.
 #if defined RAYS && (defined BLENDED || defined BEHIND)
 void keepShare(int sampleAt, float share);
 

@@ -2,7 +2,8 @@
 // handles one tile; one invocation handles ROWS vertically adjacent pixels. GROUND: two more lists hold the tiles whose
 // ground is without shadow, and the other tiles with ground (SHADOW). GROUND_KEYS: also writes the ground's depth keys.
 // EMPTIES: also clears the light of all pixels. FEW: there are at most 32 lists including the ground's lists. FOURS:
-// there are at most 4 times FOURS lists without the ground's lists. Defines: SAMPLES, PAIRED.
+// there are at most 4 times FOURS lists without the ground's lists. SAMPLES: samples per pixel. PAIRED: as in
+// draw/exact/sample_read.glsl.
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/tiles/tile_lists.glsl"

@@ -1,5 +1,6 @@
 // Clips the large triangles of one surface that triangles.comp has listed, one per invocation. BINS: lists the clipped
-// triangles by tile, and appends triangles for which there is no room to another list. Defines: LAMP_MAP, COUNTED.
+// triangles by tile, and appends triangles for which there is no room to another list. LAMP_MAP: as in
+// draw/exact/visible_sample.glsl. COUNTED: the GPU has written the number of triangles to the draw arguments.
 #ifdef BINS
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/crossing.glsl"

@@ -1,6 +1,6 @@
 // Appends a surface to the joined surfaces: vertices in world space, triangles, and the owner word of each triangle
 // (twice the index of the surface, plus 1 if both sides are visible). One invocation handles one vertex and one
-// triangle. Defines: GRID, DEFORMED.
+// triangle. GRID, DEFORMED: as in draw/exact/triangles/world_vertex.glsl.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 layout(local_size_x = 64) in;

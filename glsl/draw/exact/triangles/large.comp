@@ -1,7 +1,8 @@
 // Rasterizes the triangles in the list of triangles.comp that are large or extend far beyond the picture. For each
 // triangle, the workgroups split the tiles between them. CLIPS: handles only the triangles for which clip_large.comp
 // had no room. This is a separate program because software drivers would execute the clipping for all triangles. BINS:
-// handles the triangles that clip_large.comp could not list by tile. Defines: SAMPLES, PASS, SUN_MAP, COUNTED.
+// handles the triangles that clip_large.comp could not list by tile. SAMPLES, PASS, SUN_MAP: as in
+// draw/exact/visible_sample.glsl. COUNTED: the GPU has written the number of triangles to the draw arguments.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_fan.glsl"
 layout(binding = largeUnit) uniform usamplerBuffer large;

@@ -1,5 +1,6 @@
 // Rasterizes the medium-sized triangles, which are at the end of the list of triangles.comp. Sixteen invocations handle
-// one triangle. Defines: SAMPLES, PASS, SUN_MAP, COUNTED.
+// one triangle. SAMPLES, PASS, SUN_MAP: as in draw/exact/visible_sample.glsl. COUNTED: the GPU has written the number
+// of triangles to the draw arguments.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_blocks.glsl"
 layout(local_size_x = 64) in;

@@ -1,8 +1,8 @@
 // A triangle in the picture: covered samples and nearness. Compiles as GLSL and as C++.
-// Corners are rounded to 1/256 pixel. Coverage is then computed in integers. For an edge from p to q with the triangle
-// on its left, the edge function E(s) = (q - p) x (s - p) is not negative inside. A sample exactly on an edge belongs
-// to the triangle for which the edge is a top or left edge, so exactly one of two triangles with a common edge covers
-// the sample.
+// Corners are rounded to 1/256 pixel. Coverage is then computed in integers. With y up and the triangle on the left of
+// its edges, the edge function E(s) = (q - p) x (s - p) of an edge from p to q is not negative inside. In the code y
+// points down, so its sign is reversed: E(s) = (s - p) x (q - p). A sample exactly on an edge belongs to the triangle
+// for which the edge is a top or left edge, so exactly one of two triangles with a common edge covers the sample.
 #ifndef EXACT_TRIANGLE
 #define EXACT_TRIANGLE
 #include "draw/exact/fixed.glsl"
@@ -45,8 +45,8 @@ FUNCTION Edge edgeOf(ivec2 from, ivec2 to) {
   Edge edge;
   edge.from = from;
   edge.step_ = to - from;
-  // With y up, the triangle is to the left of an edge. With y down, left edges therefore go down and top edges go to
-  // the left.
+  // Top-left rule: samples on a top edge or a left edge belong to the triangle. The edges run counterclockwise in the
+  // picture, so a left edge runs downwards (y grows) and a top edge runs to the left (y is constant and x decreases).
   edge.bias = edge.step_.y > 0 || (edge.step_.y == 0 && edge.step_.x < 0) ? 0 : -1;
   return edge;
 }
@@ -60,7 +60,7 @@ FUNCTION int crossSign(ivec2 u, ivec2 v) {
   return uint(low1) > uint(low2) ? 1 : low1 == low2 ? 0 : -1;
 }
 
-// Sets up a triangle that lies to the left of its edges, for corners in either order.
+// Sets up a triangle for corners in either order. Its edges run counterclockwise in the picture.
 FUNCTION Triangle triangleOf(Corner a, Corner first, Corner second) {
   int sign_ = crossSign(first.at - a.at, second.at - a.at);
   Corner b = first, c = second;

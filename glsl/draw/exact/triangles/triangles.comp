@@ -1,7 +1,8 @@
 // Rasterizes the small triangles of one surface, one per invocation. Appends larger triangles to a list: medium-sized
 // ones from its end (medium.comp), large ones from its start (large.comp). BINS: unclipped triangles are listed by tile
-// (bins.glsl) instead of rasterized; in shadow maps, very small ones are rasterized anyway. Defines: SAMPLES, PASS,
-// SUN_MAP, LAMP_MAP, COUNTED, BALLOT.
+// (bins.glsl) instead of rasterized; in shadow maps, very small ones are rasterized anyway. SAMPLES, PASS, SUN_MAP,
+// LAMP_MAP: as in draw/exact/visible_sample.glsl. COUNTED: the GPU has written the number of triangles to the draw
+// arguments. BALLOT: as in draw/exact/list_place.glsl.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
 #ifdef BINS

@@ -1,6 +1,7 @@
 // Projects the vertices of one surface for the rasterizer: pixels to the right and down, times depth; depth (m); packed
 // normal. Invalid vertices are marked (draw/exact/vertex.glsl). PARALLEL: as in draw/exact/corner_place.glsl. SUN_MAP:
-// texels of the sun's shadow map; 1; nearness to the sun. One invocation handles one vertex. Defines: GRID, DEFORMED.
+// texels of the sun's shadow map; 1; nearness to the sun. One invocation handles one vertex. GRID, DEFORMED: as in
+// draw/exact/triangles/world_vertex.glsl.
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/triangles/world_vertex.glsl"
 #include "draw/exact/vertex.glsl"

@@ -1,5 +1,6 @@
-// Reads vertices of a sim::Surface in world space, by index, in exact arithmetic. Defines: GRID, DEFORMED as in
-// draw/surface/surface.vert.
+// Reads vertices of a sim::Surface in world space, by index, in exact arithmetic. GRID: the vertices form a grid, from
+// which normals are computed; otherwise normals are read. DEFORMED: vertices are displaced first
+// (draw/surface/deformed_vertex.glsl).
 #include "draw/bindings.glsl"
 #include "common/exact.glsl"
 #include "draw/surface/vertex_texel.glsl"

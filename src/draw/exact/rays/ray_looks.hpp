@@ -15,7 +15,8 @@
 namespace simreel::draw {
 
 /// Material table of the path tracer (glsl/draw/exact/rays/look_table.glsl), with the maps and skins that
-/// the materials use. Index 0 means that the data stored in a spot fully describe the material.
+/// the materials use. Index 0 means that the data stored in a spot (visible surface point) fully describe
+/// the material.
 class RayMaterials {
  public:
   /// The surface shading must already have loaded the maps and updated the skin texels.

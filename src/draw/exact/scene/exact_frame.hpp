@@ -73,7 +73,8 @@ struct ExactFrame {
     surfaces.selectLayer(layer);
     instances.selectLayer(layer);
   }
-  /// Adds the path-traced light at the visible spots of a band or of one of its blended layers.
+  /// Adds the path-traced light at the visible surface points (spots) of a band or of one of its blended
+  /// layers.
   void addRays(const Visibility& visible) {
     rays->add(visible, light, values.rows.y - values.rows.x, white);
   }

@@ -19,7 +19,7 @@ class Velocities;
 
 namespace simreel::draw {
 
-/// Layers of a picture: information per pixel besides colour. layerNames holds their names.
+/// Layers of a picture: data per pixel in addition to its colour. layerNames holds their names.
 enum class Layer { depth, position, object, normal, albedo, velocity, vector, primitive, uv };
 inline constexpr std::array<const char*, 9> layerNames = {
     "depth", "position", "object", "normal", "albedo", "velocity", "vector", "primitive", "uv"};
@@ -27,7 +27,8 @@ inline constexpr std::array<const char*, 9> layerNames = {
 /// glsl/draw/surface/overlay.glsl.
 inline constexpr std::array<Layer, 3> shownLayers = {Layer::normal, Layer::albedo, Layer::uv};
 
-/// Selection of the data that is stored for each picture besides its bytes.
+/// Selects what is stored for each picture in addition to its 8-bit colours: the light as floats, and
+/// layers.
 struct LightRequest {
   std::vector<Layer> layers = {};
   bool filmed = false;  ///< true: light as the film shows it, sRGB encoded; false: light before lens and

@@ -66,8 +66,8 @@ class WideReader {
   }
 
  private:
-  /// Reads the neighbourhood first. It is at the end of the text, but the maximum of the limits before it
-  /// depends on it.
+  /// Reads the neighbourhood first. It is at the end of the text, but the maximum of the counts (for
+  /// survival and birth) before it depends on it.
   void neighbourhood() {
     const std::string upper = upperText(text_);
     const std::size_t at = upper.find(",N");
@@ -79,8 +79,8 @@ class WideReader {
     problemAfter_ = after.problem();
     hood_ = upper.substr(at + 2, after.at() - at - 2);
   }
-  /// Returns the maximum of a limit. It is very large if the neighbourhood has an error, which is reported
-  /// after the limits.
+  /// Returns the maximum of a count. It is very large if the neighbourhood has an error, which is reported
+  /// after the errors of the counts.
   [[nodiscard]] int maximum() const { return problemAfter_.message.empty() ? wide_.maximum() : 1'000'000; }
   void tellAfter() {
     if (!problemAfter_.message.empty()) reader_.wrong(problemAfter_.at, problemAfter_.message);

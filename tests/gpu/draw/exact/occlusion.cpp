@@ -79,8 +79,8 @@ struct FoldStage {
   sim::Drawables drawables;
 };
 
-/// Returns inputs of the CPU version with the nearness of a scene, computed by rays in float64. `depth`
-/// returns the depth (m) along a ray.
+/// Returns the occlusion twin with its nearness (1/depth) filled by rays in float64. `depth` returns the
+/// depth (m) along a ray.
 OcclusionTwin castTwin(const shader::ExactView& view,
                        const std::function<double(glm::dvec3 eye, glm::dvec3 ray)>& depth) {
   OcclusionTwin twin;
