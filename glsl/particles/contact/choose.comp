@@ -22,8 +22,9 @@ void main() {
   int listed = radius > 0.0f ? stepData.balls.listed : 0;
   for (int k = 0; k < listed; k += 4) {
     uvec4 four = LOAD_INPUT_WORDS(lists, (k >> 2) * stepData.count + s);
-    for (int c = 0; c < 4 && int(four[c]) != s; ++c) {
+    for (int c = 0; c < 4; ++c) {
       int j = int(four[c]);
+      if (j == s) continue;  // As a condition of the loop, NVIDIA's compiler drops this test
       precise float reach = radius + LOAD_INPUT(begins, j).w;
       BallImpact hit = ballImpact(here, ballPath(LOAD_INPUT(places, j), LOAD_INPUT(speeds, j)), reach);
       uint tie = ballTie(s, j);

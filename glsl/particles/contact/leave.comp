@@ -27,8 +27,9 @@ void main() {
   BallLeaving leaving = ballLeaving(here);
   for (int k = 0; k < stepData.balls.listed; k += 4) {
     uvec4 four = LOAD_INPUT_WORDS(lists, (k >> 2) * stepData.count + s);
-    for (int c = 0; c < 4 && int(four[c]) != s; ++c) {
+    for (int c = 0; c < 4; ++c) {
       int j = int(four[c]);
+      if (j == s) continue;  // As a condition of the loop, NVIDIA's compiler drops this test
       precise float reach = begin.w + LOAD_INPUT(begins, j).w;
       leaving = ballBounce(leaving, here, motionOf(j), reach, perMass, s < j);
     }

@@ -25,8 +25,9 @@ void main() {
   precise vec3 sum = vec3(0.0f);
   for (int k = 0; k < stepData.balls.listed; k += 4) {
     uvec4 four = LOAD_INPUT_WORDS(lists, (k >> 2) * stepData.count + s);
-    for (int c = 0; c < 4 && int(four[c]) != s; ++c) {
+    for (int c = 0; c < 4; ++c) {
       int j = int(four[c]);
+      if (j == s) continue;  // As a condition of the loop, NVIDIA's compiler drops this test
       sum = sum + ballPush(here, Ball(LOAD_INPUT(places, j), LOAD_INPUT(begins, j)), perMass, s < j);
     }
     if (int(four.w) == s) break;
