@@ -21,6 +21,7 @@ void warnHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics) 
   const auto hidden = std::find_if(scene.objects.begin(), scene.objects.end(),
                                    [](const Object& object) { return object.parameters->framed(); });
   if (hidden == scene.objects.end()) return;
+  if (!scene.panels.empty()) return;  // a panel may show each of them
   const bool writes = hidden->kind == "text";
   diagnostics.remark(
       root.find("objects")->find(hidden->name)->headPlace(),

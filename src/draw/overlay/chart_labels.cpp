@@ -26,14 +26,22 @@ std::string groupedDigits(unsigned number) {
 
 }  // namespace
 
+const sim::Font& LabelWords::font() {
+  if (!font_) font_ = std::make_unique<sim::Font>(assetFolder() / "fonts/OpenSans-Regular.ttf");
+  return *font_;
+}
+
+void LabelWords::require(const std::string& text) {
+  sim::checkWritable(font(), text);
+}
+
 const LabelWord& LabelWords::of(const std::string& text) {
   const auto found = words_.find(text);
   if (found != words_.end()) return found->second;
-  if (!font_) font_ = std::make_unique<sim::Font>(assetFolder() / "fonts/OpenSans-Regular.ttf");
   constexpr std::size_t maximum = 64;  // max number of characters of a label
   constexpr sim::TextAnchor anchor{sim::TextAnchor::Across::left, sim::TextAnchor::Down::baseline};
   LabelWord made;
-  for (const auto& polygon : sim::written(*font_, text.substr(0, maximum), anchor, 1)) {
+  for (const auto& polygon : sim::written(font(), text.substr(0, maximum), anchor, 1)) {
     auto& cached = made.outlines.emplace_back();
     for (const glm::dvec2& point : polygon) {
       cached.emplace_back(point);

@@ -21,12 +21,16 @@ struct LabelWord {
 /// everywhere.
 class LabelWords {
  public:
-  /// Returns the outlines of the first 64 characters of a text. The result is valid until forget().
+  /// Throws UserError(usage) if the font lacks a character of the text.
+  void require(const std::string& text);
+  /// Returns the outlines of the first 64 bytes of a text. The result is valid until forget().
   const LabelWord& of(const std::string& text);
   /// Empties the cache if it is large.
   void forget();
 
  private:
+  [[nodiscard]] const sim::Font& font();
+
   std::unique_ptr<sim::Font> font_;  ///< loaded on first use
   std::map<std::string, LabelWord> words_;
 };

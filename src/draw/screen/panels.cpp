@@ -44,6 +44,7 @@ Panels::Panels(const scene::Scene& scene, glm::ivec2 size, int samples, const Re
     : grid_(scene::panelGrid(size, scene.panels.size())), picture_(size), writings_(size) {
   views_.reserve(scene.panels.size());
   for (const scene::Panel& panel : scene.panels) {
+    words_.require(panel.caption);
     std::unique_ptr<scene::Scene> shown = sceneOf(panel, scene, grid_.cell);
     SingleView renderer(*shown, grid_.cell, samples, options);
     views_.push_back({std::move(shown), &panel, std::move(renderer)});
@@ -70,14 +71,17 @@ void Panels::caption() {
   const glm::vec2 size(picture_.color.width(), picture_.color.height());
   const float capital =
       std::clamp(0.024F * static_cast<float>(std::min(grid_.cell.x, grid_.cell.y)), 7.0F, 40.0F);
+  // Long captions are smaller, so that they end in their panel.
+  const float space = static_cast<float>(grid_.cell.x) - 3.2F * capital;
   sim::Drawables captions;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     const std::string& text = views_[i].panel->caption;
     if (text.empty()) continue;
     sim::Writing writing;
-    writing.outlines = &words_.of(text).outlines;
+    const LabelWord& word = words_.of(text);
+    writing.outlines = &word.outlines;
     writing.place = (glm::vec2(grid_.corner(i)) + glm::vec2(1.6F, 2.4F) * capital) / size;
-    writing.height = capital / size.y;
+    writing.height = std::min(capital, space / std::max(word.width, 1.0F)) / size.y;
     writing.color = glm::vec3(0.9F);
     writing.backdrop = 0.55F;
     captions.writings.push_back(writing);

@@ -157,6 +157,7 @@ struct KernelDescription {
   std::optional<KernelSurface> surface;
   std::optional<KernelPoints> points;
   std::optional<KernelField> field;
+  FieldDisplay::Fit defaultFit = FieldDisplay::Fit::cover;  ///< fit of the field that is drawn by default
   std::optional<KernelTerrain> terrain;
   std::optional<KernelVolume> volume;
   std::optional<KernelWind> wind;

@@ -239,6 +239,7 @@ void KernelsParameters::describe(scene::Fields& f) {
            "and goes on. "
            "\"silent\": kernels have no code that notes them, nor endless loops, and are faster.");
   if (f.version() > 1 && !f.given("nonFinite")) nonFinite = NonFinite::stop;
+  if (f.version() > 1) defaultFit = FieldDisplay::Fit::contain;
   f.choice(
       "nonFinite", nonFinite, {"stop", "warn", "ignore"},
       "What is drawn, or blows as wind, is NaN or infinite: the run stops with exit code 4, or tells it "

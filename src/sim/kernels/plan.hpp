@@ -219,7 +219,7 @@ class KernelPlan {
   void planSurface(KernelSurface& surface);
   void planPoints(const KernelPoints& points);
   void planField(const KernelField& field);
-  void chooseDrawing();
+  void chooseDrawing(FieldDisplay::Fit fit);
   void planGrids();
   [[nodiscard]] scene::Box boxOfTerrain() const;
   [[nodiscard]] scene::Box boxOfVolume() const;

@@ -42,7 +42,7 @@ bool isPosition(const KernelSlot& slot, const std::string& buffer) {
 void KernelPlan::planDrawing(const KernelDescription& parameters) {
   drawn_ = {parameters.surface, parameters.points, parameters.field,
             parameters.terrain, parameters.volume, parameters.wind};
-  if (!drawn_.inSpace() && !drawn_.field && !drawn_.wind) chooseDrawing();
+  if (!drawn_.inSpace() && !drawn_.field && !drawn_.wind) chooseDrawing(parameters.defaultFit);
   planGrids();
   if (drawn_.surface && checkBufferSize("surface", drawn_.surface->of)) planSurface(*drawn_.surface);
   if (drawn_.points && checkBufferSize("points", drawn_.points->of)) planPoints(*drawn_.points);
@@ -126,12 +126,13 @@ void KernelPlan::setColorRanges(const KernelDescription& description) {
 
 /// Chooses the default drawing: a 2-D texture that the kernels write, otherwise a buffer with positions,
 /// which is drawn as a surface if it is a grid.
-void KernelPlan::chooseDrawing() {
+void KernelPlan::chooseDrawing(FieldDisplay::Fit fit) {
   for (std::size_t i = textures_.size(); i-- > 0;) {
     const PlannedTexture& texture = textures_[i];
     if (!texture.written || texture.type != "2D") continue;
     KernelField field;
     field.of = texture.name;
+    field.display.fit = fit;
     drawn_.field = field;
     return;
   }
@@ -155,6 +156,7 @@ void KernelPlan::chooseDrawing() {
     if (!buffer.written || buffer.size.y < 2 || buffer.element.empty()) continue;
     KernelField field;
     field.of = buffer.name;
+    field.display.fit = fit;
     drawn_.field = field;
     return;
   }

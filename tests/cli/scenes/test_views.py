@@ -48,6 +48,10 @@ class Views(Case):
         self.bad_scene('no object is named "c"', "render", "a.json", "-o", "x/")
         self.scene(panels={"p": {"camera": {"target": [0, 0, 0]}}})
         self.bad_scene("a panel's camera stands at", "render", "a.json", "-o", "x/")
+        self.scene(panels={"p": {"caption": "\u65e5"}})
+        self.bad(2, 'the font has no "\u65e5"', "render", "a.json", "-o", "x/")
+        self.scene(panels={"p": {"caption": 70 * "a"}})
+        self.bad_scene("the caption has 70 bytes; at most 64 fit", "render", "a.json", "-o", "x/")
         self.scene(panels={"p": "top"})
         self.bad(2, "panels=null", "render", "a.json", "-o", "x_####.exr", "--frames", "0")
 

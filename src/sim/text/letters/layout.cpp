@@ -79,7 +79,7 @@ void checkWritable(const Font& font, std::string_view text) {
     if (length == 0) fail(ExitCode::usage, "the text is not UTF-8");
     const char32_t code = codePoint(text.substr(i, length));
     if (code != U'\n' && !font.has(code))
-      fail(ExitCode::usage, "the font has no \"{}\" (U+{:04X}); give another \"font\"",
+      fail(ExitCode::usage, "the font has no \"{}\" (U+{:04X}); use other characters or another font",
            text.substr(i, length), static_cast<unsigned>(code));
     i += length;
   }
