@@ -90,8 +90,8 @@ float xPick(const float a, const float b, const bool c) {
 // True if the driver's fma() rounds once and its 1 / x and inversesqrt() need a correction; false if its 1 / x and
 // sqrt() are rounded correctly. text/glsl.cpp replaces this function by a macro, which the runtime sets.
 bool xFused() {
-#ifdef SIMREEL_FUSED
-  return SIMREEL_FUSED;
+#ifdef simreel_fused
+  return simreel_fused;
 #else
   return true;
 #endif

@@ -264,6 +264,8 @@ std::vector<DeviceInfo> listDevices() {
 }
 
 struct Context::State {
+  /// Set if the software driver runs kernels on the calling thread.
+  std::optional<FlushedSubnormals> onThisThread;
   std::optional<Display> display;
   DeviceInfo device;
   std::string reason;
@@ -343,6 +345,7 @@ Context::Context(const ContextOptions& options) : state_(std::make_unique<State>
   currentLimits = readLimits();
   checkCalls();
   currentIsSoftware = state_->device.software;
+  if (currentIsSoftware && driverThreads() == 0) state_->onThisThread.emplace();
   if (!options.memoryPath.empty() && options.memoryPath != "storage" && options.memoryPath != "texel")
     fail(ExitCode::usage, "the memory path must be \"storage\" or \"texel\", not \"{}\"",
          options.memoryPath);

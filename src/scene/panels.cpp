@@ -80,7 +80,8 @@ void checkShown(const Node& root, const Scene& scene, Diagnostics& diagnostics) 
     const Node* own = panels == nullptr ? nullptr : panels->find(panel.name);
     constexpr std::size_t maximum = 64;  // bytes that LabelWords draws
     if (const std::size_t length = panel.caption.size(); length > maximum && own != nullptr)
-      diagnostics.add(own->headPlace(), fmt::format("the caption has {} bytes; at most {} fit", length, maximum));
+      diagnostics.add(own->headPlace(),
+                      fmt::format("the caption has {} bytes; at most {} fit", length, maximum));
     const Node* list = own == nullptr ? nullptr : own->find("objects");
     for (std::size_t i = 0; list != nullptr && i < panel.objects.size() && i < list->children.size(); ++i)
       if (const std::string& shown = panel.objects[i].name;

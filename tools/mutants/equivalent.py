@@ -255,7 +255,7 @@ EQUIVALENT = {
         "the second last bit of a square, which is compared with 1e10",
     ("contact/start.comp", "keepPoint(startSection, v, vec4(carriedTo(pointAt(nowSection, v), up, down), 1.0f));"):
         "only xyz of that section are read",
-    ("grid/tally_join.comp", "vec4 most = vec4(-0.0f);"):
+    ("grid/tally_join.comp", "vec4 maximum = vec4(-0.0f);"):
         "what is kept the most of is never negative: speeds, depths, shares and counts",
     ("common/once.glsl", "return max(x, ivec4(-0x7fffffdf));"):
         "no uniform is that far below 0",

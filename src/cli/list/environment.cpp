@@ -5,10 +5,13 @@
 namespace simreel::cli {
 
 std::span<const Variable> variables() {
-  static constexpr std::array<Variable, 20> all = {{
+  static constexpr std::array<Variable, 21> all = {{
       {"COLUMNS", "Width of help and lists in characters, instead of the terminal's."},
       {"SIMREEL_ASSETS",
        "Folder of the shipped assets (scenes, fonts, meshes, textures), instead of the installed one."},
+      {"SIMREEL_CAREFUL",
+       "1: users' kernels divide and take roots in integers, as on drivers whose arithmetic differs. The "
+       "results are the same."},
       {"SIMREEL_GLSL", "Folder of shaders to use instead of those built into the program."},
       {"SIMREEL_JOIN_SURFACES",
        "yes or no: whether the exact rasterizer draws surfaces together. The pixels are the same; left "

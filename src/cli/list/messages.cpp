@@ -5,7 +5,7 @@
 namespace simreel::cli {
 
 std::span<const Message> messages() {
-  static constexpr std::array<Message, 34> all = {{
+  static constexpr std::array<Message, 33> all = {{
       {"2", "no flag --FLAG; did you mean --FLAG?", "no flag {}; did you mean --{}?",
        "Type the flag that the message names. `simreel COMMAND --help` lists all flags."},
       {"2", "`simreel COMMAND` needs ARGUMENT", "`{}` needs {}",
@@ -86,9 +86,6 @@ std::span<const Message> messages() {
        "FILE:LINE:COLUMN: warning: \"direction\" points to the sun, which is then below the ground",
        "points to the sun, which is then below the ground",
        "Turn `sun.direction` round: it points from the scene to the sun."},
-      {"warning", "OBJECT: light goes through it with render.quality \"high\" alone; it is drawn opaque",
-       "light goes through it with render.quality",
-       "Set `render.quality` to `\"high\"`, which takes longer."},
   }};
   return all;
 }

@@ -26,7 +26,7 @@ std::string groupedDigits(unsigned number) {
 
 }  // namespace
 
-const sim::Font& LabelWords::font() {
+sim::Font& LabelWords::font() {
   if (!font_) font_ = std::make_unique<sim::Font>(assetFolder() / "fonts/OpenSans-Regular.ttf");
   return *font_;
 }

@@ -29,7 +29,7 @@ class LabelWords {
   void forget();
 
  private:
-  [[nodiscard]] const sim::Font& font();
+  [[nodiscard]] sim::Font& font();
 
   std::unique_ptr<sim::Font> font_;  ///< loaded on first use
   std::map<std::string, LabelWord> words_;

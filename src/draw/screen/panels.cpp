@@ -1,5 +1,6 @@
 #include "draw/screen/panels.hpp"
 
+#include "base/error.hpp"
 #include "draw/screen/drawn_scene.hpp"
 
 #include <algorithm>
@@ -42,6 +43,9 @@ std::unique_ptr<scene::Scene> sceneOf(const scene::Panel& panel, const scene::Sc
 
 Panels::Panels(const scene::Scene& scene, glm::ivec2 size, int samples, const RendererOptions& options)
     : grid_(scene::panelGrid(size, scene.panels.size())), picture_(size), writings_(size) {
+  if (std::min(grid_.cell.x, grid_.cell.y) < 1)
+    fail(ExitCode::usage, "{} panels need a larger picture than {}x{}", scene.panels.size(), size.x,
+         size.y);
   views_.reserve(scene.panels.size());
   for (const scene::Panel& panel : scene.panels) {
     words_.require(panel.caption);

@@ -82,7 +82,7 @@ bool chooseFused(std::string& text) {
   for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
     const auto body = text.find(result, at);
     if (body == std::string::npos) continue;
-    text.replace(body, result.size(), "return SIMREEL_FUSED;");
+    text.replace(body, result.size(), "return simreel_fused;");
     found = true;
   }
   return found;
@@ -90,8 +90,8 @@ bool chooseFused(std::string& text) {
 
 /// Definition that the runtime may change (sim/kernels/arithmetic.hpp).
 constexpr const char* fusedMacro =
-    "#ifndef SIMREEL_FUSED\n"
-    "#define SIMREEL_FUSED true\n"
+    "#ifndef simreel_fused\n"
+    "#define simreel_fused true\n"
     "#endif\n";
 
 /// Collects the textures: combined GLSL samplers, and pairs of separate textures and samplers, which this

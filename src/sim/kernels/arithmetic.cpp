@@ -30,6 +30,7 @@ struct ArithmeticProbe {
   gl::Out<"results"> results;
 };
 
+constexpr const char* fusedMacro = "simreel_fused";
 constexpr float smallest = std::numeric_limits<float>::min();  // 2^-126
 constexpr float step = 0x1p-23F;
 
@@ -94,7 +95,7 @@ bool computes(bool fused) {
   const auto in = gl::Buffer::of<glm::vec2>("arithmetic inputs", pairs);
   const gl::Buffer out("arithmetic results", pairs.size() * sizeof(glm::vec4));
   const auto count = static_cast<int>(pairs.size());
-  gl::Kernel<ArithmeticProbe>(gl::Defines{{"SIMREEL_FUSED", fused ? "true" : "false"}})
+  gl::Kernel<ArithmeticProbe>(gl::Defines{{fusedMacro, fused ? "true" : "false"}})
       .dispatch(count, {count, in, out});
   const auto results = out.readAll<glm::vec4>();
   for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -141,7 +142,7 @@ const char* arithmeticText(Arithmetic arithmetic) {
 
 gl::Program kernelProgram(const std::string& label, const std::string& text) {
   return gl::Program::computeText(
-      label, text, {{"SIMREEL_FUSED", kernelArithmetic() == Arithmetic::rounded ? "false" : "true"}});
+      label, text, {{fusedMacro, kernelArithmetic() == Arithmetic::rounded ? "false" : "true"}});
 }
 
 }  // namespace simreel::sim

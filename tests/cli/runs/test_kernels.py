@@ -184,7 +184,7 @@ TextureCube<float4> _Sky; SamplerState sampler_linear_clamp, sampler_point_clamp
             ({"size": [8, 8], "format": ""}, 'a format has a name, such as "rgba32f"'),
             ({"size": [8, 8], "format": "r32ui"}, 'a texel of _Seen holds float numbers, those of "r32ui" are uint'),
             ([8, 8, 4], "this texture has 2 axes: expected 2 numbers, found 3"),
-            ([16384, 16384], "the buffers and textures take 8.0 GB"),
+            ([16384, 16384], "the buffers and textures need 8.0 GB"),
         ):
             self.scene(painted, textures={"_Seen": texture}, step=step)
             self.bad(2, message, "validate", "k.json")

@@ -180,7 +180,9 @@ SurfaceVariant uvVariant(const sim::Surface& surface) {
 }
 
 VertexUv uvOf(const sim::Surface& surface) {
-  VertexUv uv{.grid = surface.grid, .perGrid = {}, .perRow = {}, .uvs = orNone(surface.uvs)};
+  // A surface without coordinates needs some array, which is not used.
+  const gl::Texture* uvs = surface.uvs != nullptr ? surface.uvs : surface.normals;
+  VertexUv uv{.grid = surface.grid, .perGrid = {}, .perRow = {}, .uvs = orNone(uvs)};
   if (surface.normals != nullptr) return uv;
   uv.perGrid = 1.0F / glm::vec2(surface.grid - 1);
   uv.perRow = 1.0F / static_cast<float>(surface.grid.x);
