@@ -82,6 +82,8 @@ set(OTHER_PICTURES "--source-file=*/gpu/draw/*" "--source-file-exclude=*/draw/ex
 # them with their baselines byte for byte.
 suite_test("" gpu "pictures on the other memory path" test_gpu ${OTHER_PICTURES} "--test-case=*twin*,*bytes*,*bits*"
   "--test-case-exclude=*charts*,exact: on a large*,*ambient occlusion*,*drawn in bands*,exact parts*,exact: whole*,exact: t*,exact: what triangles*")
+# Divisions and roots of users' kernels in integers, which no driver of this machine needs.
+suite_test("" gpu "user kernels in integers" test_gpu "--test-case=user kernels: *")
 # Tests of the driver's rasterizer, which serves as reference for the exact rasterizer; in CI only its surfaces and
 # glows. "cli: exact" covers whole scenes.
 set(DRIVERS_PICTURES "--source-file=*/gpu/draw/*" "--source-file-exclude=*/draw/exact/*")
@@ -100,6 +102,7 @@ if(SIMREEL_BENCH)  # takes minutes on two processors for programs that users do 
 endif()
 set_property(TEST "gpu: pictures on the other memory path" "long: state on the other memory path"
              "long: pictures on the other memory path" APPEND PROPERTY ENVIRONMENT SIMREEL_TEST_MEMORY_PATH=other)
+set_property(TEST "gpu: user kernels in integers" APPEND PROPERTY ENVIRONMENT SIMREEL_CAREFUL=1)
 set_property(TEST "gpu: the driver's surfaces and glows on the texel memory path" "long: the driver's pictures on the texel memory path" APPEND PROPERTY ENVIRONMENT SIMREEL_TEST_RASTERIZER=driver
              SIMREEL_TEST_MEMORY_PATH=texel)
 set_property(TEST "long: the driver's pictures on the storage memory path" APPEND PROPERTY ENVIRONMENT SIMREEL_TEST_RASTERIZER=driver
