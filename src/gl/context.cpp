@@ -340,24 +340,33 @@ void Context::State::choose(const ContextOptions& options) {
   fail(ExitCode::device, "no device can run the program{}; {}", problems, driverAdvice());
 }
 
+MemoryPath ContextOptions::memoryPathOn(bool software, std::string_view device) const {
+  if (memoryPath.empty()) return software ? MemoryPath::texel : MemoryPath::storage;
+  if (memoryPath == "storage") return MemoryPath::storage;
+  if (memoryPath != "texel")
+    fail(ExitCode::usage, "the memory path must be \"storage\" or \"texel\", not \"{}\"", memoryPath);
+  if (!software)
+    fail(ExitCode::device,
+         "the memory path \"texel\" is for software drivers; on {} its results would be wrong, because the "
+         "compiler moves texel fetches past stores; use \"storage\", the default there",
+         device);
+  return MemoryPath::texel;
+}
+
 Context::Context(const ContextOptions& options) : state_(std::make_unique<State>()) {
   state_->choose(options);
   currentLimits = readLimits();
   checkCalls();
   currentIsSoftware = state_->device.software;
   if (currentIsSoftware && driverThreads() == 0) state_->onThisThread.emplace();
-  if (!options.memoryPath.empty() && options.memoryPath != "storage" && options.memoryPath != "texel")
-    fail(ExitCode::usage, "the memory path must be \"storage\" or \"texel\", not \"{}\"",
-         options.memoryPath);
-  const bool texel = options.memoryPath.empty() ? state_->device.software : options.memoryPath == "texel";
-  currentPath = texel ? MemoryPath::texel : MemoryPath::storage;
+  currentPath = options.memoryPathOn(state_->device.software, state_->device.name);
   if (options.debug) {
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(State::receive, state_.get());
   }
   detail("device {}: {} ({}), {}; memory path {}", state_->device.index, state_->device.name,
-         state_->device.version, state_->reason, texel ? "texel" : "storage");
+         state_->device.version, state_->reason, currentPath == MemoryPath::texel ? "texel" : "storage");
 }
 
 Context::~Context() {

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace simreel::gl {
@@ -37,6 +38,9 @@ struct ContextOptions {
   [[nodiscard]] ContextOptions ofWorker(std::size_t place) const;
   /// Returns the number of devices that `device` lists, at least 1.
   [[nodiscard]] std::size_t deviceCount() const;
+  /// Returns the memory path on a driver with the name `device`. Throws UserError: usage for another word,
+  /// device for "texel" on hardware.
+  [[nodiscard]] MemoryPath memoryPathOn(bool software, std::string_view device) const;
 };
 
 /// Owns an OpenGL 4.5 core context without a surface, which is current on the thread that created it. If no
