@@ -20,6 +20,7 @@ struct Kernel {
   const TwinTexture& texture;
 #include "glsl/draw/exact/fixed.glsl"
 #include "glsl/draw/exact/ground_plane.glsl"
+#include "glsl/draw/exact/screen/edge_light.glsl"
 #include "glsl/draw/exact/unit_vector.glsl"
 #include "glsl/draw/exact/weights.glsl"
 #include "glsl/draw/screen/lens.glsl"
@@ -127,15 +128,21 @@ vec4 groundAt(Kernel& kernel, ivec2 pixel, int sample) {
   return kernel.groundLight(kernel.placeOnRay(ray, depth), unitOf(-ray), 1.0F, 1.0F);
 }
 
-/// Returns the light of a pixel's samples. Shades each visible primitive once, and the ground last.
+/// Returns the light of a pixel's samples, with evened edges. Shades each visible primitive once, and the
+/// ground last.
 vec4 lightOf(Kernel& kernel, const PictureTwinScene& scene, const std::uint32_t* ids, ivec2 pixel) {
   vec4 sum(0);
+  float compressed = 0;
   const auto add = [&](std::uint32_t id, int first) {
     int same = 0;
     for (int s = 0; s < kernel.samples; ++s) same += ids[s] == id ? 1 : 0;
     const vec4 light =
         id == groundId ? groundAt(kernel, pixel, first) : surfaceAt(kernel, scene, pixel, id, first);
-    sum = sum + light * (static_cast<float>(same) * kernel.perSamples());
+    const float share = static_cast<float>(same) * kernel.perSamples();
+    sum = sum + light * share;
+    if (same == kernel.samples) return;
+    const float brightness = kernel.brightnessOf(vec3(light), kernel.frame.exposure);
+    compressed = compressed + kernel.compressedBrightness(brightness) * share;
   };
   for (const bool ground : {false, true})
     for (int s = 0; s < kernel.samples; ++s) {
@@ -143,7 +150,7 @@ vec4 lightOf(Kernel& kernel, const PictureTwinScene& scene, const std::uint32_t*
       for (int before = 0; before < s; ++before) again = again || ids[before] == ids[s];
       if (!again && ids[s] != nothing && (ids[s] == groundId) == ground) add(ids[s], s);
     }
-  return sum;
+  return vec4(vec3(sum) * kernel.edgeFactor(sum, compressed, kernel.frame.exposure), sum.w);
 }
 
 std::uint8_t byteOf(float x) {

@@ -9,9 +9,9 @@ namespace simreel::draw {
 // Factories of the passes, defined in draw/exact/passes.
 PassMaker makeSkins, makeThings, makeRayScene, makeJoinedSurfaces, makeLampMaps, makeSunMap, makeMirrors,
     makeView, makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended,
-    makeSurfaces, makeRayLight, makeLayers, makeMirrored, makeReflected, makeBehindGlass, makeFarGlass,
-    makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow, makeFieldsBehind, makeScatter,
-    makeFilm;
+    makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected, makeBehindGlass,
+    makeFarGlass, makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow, makeFieldsBehind,
+    makeScatter, makeFilm;
 
 /// Resources that hold only the current band of a picture. A pass with Each::view ends the loop over the
 /// bands. If later passes read one of these resources, the passes that wrote it run again, band by band.
@@ -43,9 +43,10 @@ inline constexpr PassEntry exactPasses[] = {
      {"through", "light"}, {}, makeBlended},
     {"surfaces", Each::band, "surfaces",
      {"visibility", "tiles", "through", "skins", "lights", "sun map", "lamp maps", "openness"},
-     {"light", "ray spots"}, {}, makeSurfaces},
-    {"ray light", Each::band, "surfaces", {"visibility", "ray scene", "ray spots", "lights"}, {"light"}, {},
-     makeRayLight},
+     {"light", "edges", "ray spots"}, {}, makeSurfaces},
+    {"ray light", Each::band, "surfaces", {"visibility", "ray scene", "ray spots", "lights"},
+     {"light", "edges"}, {}, makeRayLight},
+    {"edges", Each::band, "surfaces", {"light", "edges"}, {"light"}, {}, makeEdges},
     {"layers", Each::band, "surfaces", {"visibility", "tiles", "through", "view", "skins"}, {"layers"}, {},
      makeLayers},
     {"mirrored", Each::view, "reflections", {"mirrors", "light", "nearness"}, {"mirrored"}, {}, makeMirrored},

@@ -118,6 +118,26 @@ void keepShareOf(ivec2 pixel, int samples, float share, float alpha) {
 }
 #endif
 
+// EVENED: also sums the compressed brightness (screen/edge_light.glsl) of pixels that show several primitives. Pixels
+// behind blended layers get a negative sum, which stands for linear averages.
+#if SAMPLES > 1 && !defined REFLECTED && !defined SHOWN && !defined GLASS && !defined BLENDED
+#define EVENED
+#include "draw/exact/screen/edge_light.glsl"
+layout(r32f, binding = edgeImage) restrict uniform image2D edges;
+
+void addEdge(ivec2 pixel, vec3 light, int samples, float share) {
+  int count = bitCount(samples);
+  if (count == SAMPLES) return;
+  precise float part = compressedBrightness(brightnessOf(light, frame.exposure)) * share;
+#ifdef BEHIND
+  precise float whole = float(count) * perSamples();
+  part = share < whole ? -1e9f : part;
+#endif
+  precise float sum = imageLoad(edges, pixel).x + part;
+  imageStore(edges, pixel, vec4(sum));
+}
+#endif
+
 // Adds the light of the samples in the mask to a sum. Alpha accumulates the covered fraction of the pixel.
 vec4 withLight(ivec2 pixel, vec4 before, vec4 light, int samples) {
   float share = shareOf(pixel, samples, light.a);
@@ -126,6 +146,9 @@ vec4 withLight(ivec2 pixel, vec4 before, vec4 light, int samples) {
 #endif
 #if defined RAYS && (defined BLENDED || defined BEHIND)
   keepShareOf(pixel, samples, share, light.a);
+#endif
+#ifdef EVENED
+  addEdge(pixel, light.rgb, samples, share);
 #endif
   precise vec4 sum = before + light * share;
   return sum;

@@ -1,10 +1,21 @@
 #include "draw/exact/scene/exact_frame.hpp"
 #include "draw/surface/surface_pass.hpp"
 #include "gl/element_array.hpp"
+#include "gl/kernel/kernel.hpp"
 
+#include <array>
 #include <functional>
 
 namespace simreel::draw {
+
+struct EdgesKernel {
+  static constexpr auto file = "draw/exact/screen/even_edges.comp";
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::InOut<"sums"> light;
+  gl::InOut<"edges"> edges;
+  gl::Uniform<"linear", int> linear;
+};
 
 namespace {
 
@@ -52,6 +63,27 @@ class SurfacesPass final : public FramePass {
   }
 };
 
+/// Evens the edges of highlights in opaque surfaces. Requested linear light keeps its linear averages.
+class EdgesPass final : public FramePass {
+ public:
+  explicit EdgesPass(ExactFrame& frame) : FramePass(frame) {
+    if (!frame.edges) return;
+    constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
+    glClearTexImage(frame.edges.name(), 0, GL_RED, GL_FLOAT, none.data());
+    kernel_ = gl::Kernel<EdgesKernel>(gl::Defines());
+  }
+  [[nodiscard]] bool on() const override { return static_cast<bool>(f.edges); }
+  void run() override {
+    gl::barrier();
+    kernel_.dispatch({f.size.x, f.values.rows.y - f.values.rows.x},
+                     {.light = f.light, .edges = f.edges, .linear = f.wanted && !f.wanted->filmed ? 1 : 0});
+    gl::barrier();
+  }
+
+ private:
+  gl::Kernel<EdgesKernel> kernel_;
+};
+
 /// Adds the light of glows. Runs last, because reflections cannot use glows, which have no depth.
 class GlowsPass final : public FramePass {
  public:
@@ -71,6 +103,9 @@ std::unique_ptr<Pass> makeBlended(ExactFrame& frame) {
 }
 std::unique_ptr<Pass> makeSurfaces(ExactFrame& frame) {
   return std::make_unique<SurfacesPass>(frame);
+}
+std::unique_ptr<Pass> makeEdges(ExactFrame& frame) {
+  return std::make_unique<EdgesPass>(frame);
 }
 std::unique_ptr<Pass> makeGlows(ExactFrame& frame) {
   return std::make_unique<GlowsPass>(frame);

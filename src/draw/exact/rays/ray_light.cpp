@@ -137,11 +137,13 @@ struct ResolveSpots {
     SampleVariant samples;
     gl::Flag<"FAST_NUMERICS"> fast;
   };
+  gl::Ambient<"FrameBlock"> frame = {};
   gl::Ambient<"ViewBlock"> view = {};
   SamplesRead samples;
   gl::In<"spots"> spots;
   gl::In<"spotLight"> spotLight;
   gl::InOut<"sums"> sums;
+  gl::InOut<"edges"> edges;
   gl::Uniform<"raySamples", int> raySamples;
 };
 
@@ -329,7 +331,8 @@ void RayLight::follow(int firstSpot, int spots, int firstSample, int samples, fl
   if (gl::softwareDriver()) glFinish();
 }
 
-void RayLight::add(const Visibility& visibility, const gl::Texture& sums, int rows, float white) {
+void RayLight::add(const Visibility& visibility, const gl::Texture& sums, const gl::Texture& edges,
+                   int rows, float white) {
   gl::barrier();
   const int spots = listSpots(visibility, rows);
   const int maximum = pathsAtOnce();
@@ -344,6 +347,7 @@ void RayLight::add(const Visibility& visibility, const gl::Texture& sums, int ro
                                               .spots = spotView_,
                                               .spotLight = spotLightView_,
                                               .sums = sums,
+                                              .edges = edges ? gl::Resource(edges) : gl::Resource(),
                                               .raySamples = raySamples_});
   gl::barrier();
 }

@@ -44,6 +44,7 @@ ExactFrame::ExactFrame(const scene::Scene& shown, const Environment* around, glm
       instances(count, {lit(), lights()}),
       groundShading(lights()),
       light(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
+  if (count > 1) edges = gl::Texture::image("edges of the picture", GL_R32F, pixels.x, pixels.y);
   if (occludes()) occlusion = Occlusion(pixels, visibility, ground);
   if (lamps.order().shadowed > 0 && !traces()) lampMaps.emplace(lamps);
   if (shadow.on()) sunMap.emplace("the shadow map", shadow.size(), 1, false);
@@ -100,7 +101,9 @@ SceneLight ExactFrame::sceneLight(const gl::Texture& into) const {
                  .layersLeave = transparent.leave(),
                  .through = {},
                  .spots = {},
-                 .sums = into};
+                 .sums = into,
+                 .edges = {}};
+  if (edges) all.edges = edges;
   if (lampMaps && lampMaps->on()) all.lampKeys = lampMaps->keys().nearKeys();
   if (sunMap) all.sunMap = sunMap->nearKeys();
   if (occlusion.on()) all.openness = occlusion.openness();

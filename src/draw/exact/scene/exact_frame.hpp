@@ -76,7 +76,7 @@ struct ExactFrame {
   /// Adds the path-traced light at the visible surface points (spots) of a band or of one of its blended
   /// layers.
   void addRays(const Visibility& visible) {
-    rays->add(visible, light, values.rows.y - values.rows.x, white);
+    rays->add(visible, light, edges, values.rows.y - values.rows.x, white);
   }
 
   const scene::Scene& scene;
@@ -137,6 +137,7 @@ struct ExactFrame {
   gl::Kernels<ShadeGround> groundShading;
   std::optional<RayLight> rays;
   gl::Texture light;  ///< RGB light of each pixel; alpha: coverage
+  gl::Texture edges;  ///< compressed brightness of pixels with several primitives; none with one sample
 };
 
 /// Base class of all passes.
