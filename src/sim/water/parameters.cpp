@@ -66,6 +66,10 @@ void WaterParameters::rainOnPond(scene::Fields& f) {
   rain->rate = 60;
   rain->radius = 0.017F * smaller;
   rain->height = 0.017F * smaller;
+  if (f.version() > 1) {
+    rain->duration = 0.1;
+    rain->variation = 0.6;
+  }
   clarity = 0.045F * smaller;
   ground = {0.17F, 0.165F, 0.07F};
   pondTerrain(extent, smaller);
@@ -207,6 +211,10 @@ void WaterParameters::describeFlow(scene::Fields& f) {
         r.number("radius", of.radius, {1e-4, 1e4}, "m",
                  "Radius of the mean drop; drops have half to one and a half of it.");
         r.number("height", of.height, heights, "m", "Rise of the level in the middle of each drop.");
+        r.number("duration", of.duration, {0, 10}, "s",
+                 "Time over which the water of a drop arrives. 0: in one step, which leaves a cone.");
+        r.number("variation", of.variation, {0, 1}, "",
+                 "Part by which the heights of drops and the times between them vary at random.");
         r.number("from", of.from, scene::anyNumber, "s", "Time at which it begins.");
         r.number("until", of.until, scene::anyNumber, "s", "Time at which it ends.");
       });

@@ -54,6 +54,8 @@ struct WaterRain {
   double rate = 10;      ///< Number of drops per second on the whole grid.
   float radius = 0.22F;  ///< Drop radius in metres.
   float height = 0.1F;   ///< Rise of the level at a drop's centre in metres.
+  double duration = 0;   ///< Time in seconds over which a drop's water is added; 0: in one step.
+  double variation = 0;  ///< Part by which times and heights of drops vary at random, from 0 to 1.
   double from = 0;       ///< Start of the rain in seconds.
   double until = 1e9;    ///< End of the rain in seconds.
 };

@@ -48,6 +48,13 @@ std::vector<float> smoothed(const std::vector<float>& heights, glm::ivec2 size) 
   return result;
 }
 
+/// Returns the part of a drop's water that has arrived after the part `time` of its duration: a smooth
+/// step.
+double arrived(double time) {
+  const double t = std::clamp(time, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 }  // namespace
 
 WaterPlan::WaterPlan(WaterParameters parameters, const std::string& object, int seed, double frameSeconds,
@@ -231,24 +238,38 @@ WaterFalls WaterPlan::fallsAt(double time, int step) const {
     if (step > 0 && now - 0.5 * dt >= drain.from && now - 0.5 * dt < drain.until)
       falls.drops.push_back(
           dropOf(cellsAt(drain.center), drain.radius, static_cast<float>(-drain.speed.at(now) * dt)));
-  if (!p.rain) return falls;
-  const double begin = std::floor((now - 2 * dt - p.rain->from) * p.rain->rate);
-  const double end = std::ceil((now + 2 * dt - p.rain->from) * p.rain->rate);
+  if (p.rain) rainInto(falls.drops, now, step);
+  return falls;
+}
+
+void WaterPlan::rainInto(std::vector<shader::WaterDrop>& drops, double now, int step) const {
+  const WaterRain& rain = *parameters_.rain;
+  const double dt = stepSeconds();
+  const long state = std::lround(now / dt);
+  const auto unit = [](unsigned bits) { return bits / 4294967296.0; };
+  const double begin = std::floor((now - 2 * dt - rain.duration - rain.from) * rain.rate) - 1;
+  const double end = std::ceil((now + 2 * dt - rain.from) * rain.rate);
   for (double i = std::max(begin, 0.0); i <= end; ++i) {
-    const double at = p.rain->from + i / p.rain->rate;
-    if (at > p.rain->until || !due(at)) continue;
     const auto number = static_cast<std::uint64_t>(i);
     const auto random = [&](unsigned purpose) {
       return shader::hash3({static_cast<unsigned>(number),
                             static_cast<unsigned>(number >> 32U) * 8 + purpose,
                             static_cast<unsigned>(seed_)});
     };
-    const auto unit = [](unsigned bits) { return bits / 4294967296.0; };
+    const shader::uvec3 vary = random(6);
+    const double at = rain.from + (i + rain.variation * unit(vary.x)) / rain.rate;
+    if (at > rain.until) continue;
+    double share = 1 + rain.variation * (2 * unit(vary.y) - 1);
+    if (rain.duration > 0)
+      share *=
+          step > 0 ? arrived((now - at) / rain.duration) - arrived((now - dt - at) / rain.duration) : 0;
+    else if (std::lround(std::ceil(at / dt - 1e-6)) != state)
+      share = 0;
+    if (share <= 0) continue;
     const shader::uvec3 r = random(5);
-    falls.drops.push_back(dropOf({unit(r.x) * p.size.x, unit(r.y) * p.size.y},
-                                 p.rain->radius * (0.5 + unit(r.z)), p.rain->height));
+    drops.push_back(dropOf({unit(r.x) * parameters_.size.x, unit(r.y) * parameters_.size.y},
+                           rain.radius * (0.5 + unit(r.z)), rain.height * static_cast<float>(share)));
   }
-  return falls;
 }
 
 glm::ivec4 WaterPlan::box(const shader::WaterDrop& drop) const {

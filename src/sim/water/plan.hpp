@@ -79,6 +79,8 @@ class WaterPlan {
   [[nodiscard]] double deepestPossible() const;
   /// `longest` is the maximum step in seconds that the floating bodies allow.
   void chooseSubsteps(const std::string& object, double longest);
+  /// Appends the rain's drops that fall into the state at `now` (seconds), after `step` steps of its frame.
+  void rainInto(std::vector<shader::WaterDrop>& drops, double now, int step) const;
   [[nodiscard]] shader::WaterDrop dropOf(glm::dvec2 center, double radius, float height) const;
 
   WaterParameters parameters_;

@@ -80,3 +80,57 @@ TEST_CASE("wet ground is darker, and its colours are all in the palette") {
   REQUIRE(dries > 50);
   CHECK(wet / wets < 0.7 * dry / dries);
 }
+
+namespace water_look_help {
+
+/// Returns a lake at level 0 beside rock that rises by 0.6 m a cell of 0.5 m. `film`: depth in metres of
+/// the water that a wave has left in every third cell of the first row of rock above the lake.
+WaterTwin rock(float film) {
+  sim::WaterParameters p;
+  p.size = {12, 24};
+  p.cell = 0.5F;
+  p.bed = -3;
+  p.foam = 2;
+  WaterTwin twin(sim::WaterPlan(p, "lake", 1, 1.0 / 30));
+  for (int y = 0; y < p.size.y; ++y)
+    for (int x = 0; x < p.size.x; ++x) {
+      const float bed = std::max(-3.0F, 0.6F * static_cast<float>(x) - 3.1F);
+      const float depth = x == 6 && y % 3 == 1 ? film : 0.0F;
+      twin.cells[static_cast<std::size_t>(y * p.size.x + x)] = {std::max(0.0F, bed + depth), 0, 0, bed};
+    }
+  return twin;
+}
+
+}  // namespace water_look_help
+
+TEST_CASE("films that waves leave on steep rock make no peaks beside a lake") {
+  for (const float film : {0.0F, 0.03F, 0.1F, 0.2F}) {
+    CAPTURE(film);
+    const WaterTwin twin = water_look_help::rock(film);
+    const std::vector<glm::vec4> shown = twin.look();
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      const float bed = twin.cells[i].w;
+      if (bed > 0) CHECK(shown[i].y < bed);                      // The rock hides every film.
+      if (bed < 0) CHECK(shown[i].y == 0);                       // The lake is drawn at its own level.
+      if (i % 12 == 6) CHECK(shown[i].y < 0.7F * (bed + film));  // The shore stays near the lake's level.
+    }
+  }
+}
+
+TEST_CASE("foam at a single steep cell spreads smoothly over its neighbours") {
+  WaterTwin twin = water_look_help::rock(0);
+  twin.cells[12 * 12 + 1].x = 0.4F;
+  twin.cells[12 * 12 + 2].x = 0.4F;
+  const std::vector<glm::vec4> shown = twin.look();
+  const auto foam = [&](int x, int y) {
+    return static_cast<int>(shown[static_cast<std::size_t>(y * 12 + x)].w) / shader::depthColors;
+  };
+  CHECK(foam(2, 8) == 0);
+  for (int y = 9; y < 16; ++y)
+    for (int x = 0; x < 4; ++x) {
+      CAPTURE(x);
+      CAPTURE(y);
+      CHECK(std::abs(foam(x, y) - foam(x, y - 1)) <= shader::foamColors / 2);
+    }
+  CHECK(foam(2, 11) > shader::foamColors / 4);
+}

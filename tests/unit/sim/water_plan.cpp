@@ -6,7 +6,11 @@
 #include "unit/help.hpp"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -62,6 +66,38 @@ TEST_CASE("water: each drop falls into one state, in any frame") {
       for (const shader::WaterDrop& drop : falls.drops) CHECK(plan.box(drop).z > 0);
     }
   CHECK(drops == 2 + 67);  // Drops fall at 0.2 s and then every 1/37 s up to 2 s.
+}
+
+TEST_CASE("water: a drop's water arrives over its duration, and drops vary around the mean height") {
+  sim::WaterParameters p;
+  p.size = {60, 40};
+  p.cell = 0.05F;
+  p.rain = {.rate = 40,
+            .radius = 0.2F,
+            .height = 0.1F,
+            .duration = 0.1,
+            .variation = 0.5,
+            .from = 0.2,
+            .until = 4.2};
+  const sim::WaterPlan plan(p, "w", 1, 1.0 / 30);
+  std::map<std::pair<float, float>, std::vector<double>> drops;
+  for (int frame = 0; frame < 150; ++frame)
+    for (int i = 1; i <= plan.substeps(); ++i)
+      for (const shader::WaterDrop& drop : plan.fallsAt(frame / 30.0, i).drops)
+        drops[{drop.center.x, drop.center.y}].push_back(static_cast<double>(drop.height));
+  CHECK(drops.size() == doctest::Approx(160).epsilon(0.02));
+  double least = 1, most = 0, sum = 0;
+  for (const auto& [place, heights] : drops) {
+    const double whole = std::accumulate(heights.begin(), heights.end(), 0.0);
+    least = std::min(least, whole);
+    most = std::max(most, whole);
+    sum += whole;
+    CHECK(static_cast<double>(heights.size()) * plan.stepSeconds() == doctest::Approx(0.1).epsilon(0.15));
+    CHECK(*std::max_element(heights.begin(), heights.end()) < 1.6 * whole * plan.stepSeconds() / 0.1);
+  }
+  CHECK(least == doctest::Approx(0.05).epsilon(0.1));
+  CHECK(most == doctest::Approx(0.15).epsilon(0.1));
+  CHECK(sum / static_cast<double>(drops.size()) == doctest::Approx(0.1).epsilon(0.06));
 }
 
 TEST_CASE("water: errors are reported at their place") {
