@@ -267,9 +267,9 @@ void ParticlesTwin::correctBalls(int index, Balls& balls) {
         for (const int j : balls.lists[s]) {
           const auto other = static_cast<std::size_t>(j);
           sum = sum + kernel.ballPush(here, {balls.places[other], balls.begins[other]}, balls.perMass(s),
-                                      static_cast<int>(s) < j);
+                                      static_cast<int>(s), j);
         }
-        const vec3 place = vec3(here.place) + sum;
+        const vec3 place = vec3(here.place) + kernel.ballPushes(sum, here.start.w);
         out(s, vec4(place, balls.guesses[s].w), vec4(0), &balls.begins[s]);
         next[s] = vec4(vec3(positions[s]), here.place.w);
       }
@@ -297,7 +297,7 @@ void ParticlesTwin::touchBalls(int index) {
     for (const int j : balls.lists[s]) {
       const auto other = static_cast<std::size_t>(j);
       leaving = kernel.ballBounce(leaving, here, motionOf(other), balls.begins[s].w + balls.begins[other].w,
-                                  balls.perMass(s), static_cast<int>(s) < j);
+                                  balls.perMass(s), static_cast<int>(s), j);
     }
     vec3 velocity = kernel.ballLeft(leaving, here), place = vec3(here.place);
     if (leaving.touches && kernel.ballRests(vec3(balls.begins[s]), place, velocity)) {

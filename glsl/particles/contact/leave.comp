@@ -31,7 +31,7 @@ void main() {
       int j = int(four[c]);
       if (j == s) continue;  // As a condition of the loop, NVIDIA's compiler drops this test
       precise float reach = begin.w + LOAD_INPUT(begins, j).w;
-      leaving = ballBounce(leaving, here, motionOf(j), reach, perMass, s < j);
+      leaving = ballBounce(leaving, here, motionOf(j), reach, perMass, s, j);
     }
     if (int(four.w) == s) break;
   }

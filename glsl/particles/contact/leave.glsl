@@ -37,10 +37,11 @@ FUNCTION BallLeaving ballLeaving(BallMotion a) {
 
 // Adds the contact of ball a with ball b. A pair that overlapped before the corrections leaves with the fraction e of its
 // approach speed, or with 0 if it approached slower than `bounceFrom`. The correction of an overlap leaves no velocity
-// behind: a pair that separates faster is slowed down, by at most the speed of the correction.
-FUNCTION BallLeaving ballBounce(BallLeaving leaving, BallMotion a, BallMotion b, float reach, float perMass, bool first) {
-  BallOverlap before = ballOverlap(a.guess, b.guess, reach, first);
-  BallOverlap now = ballOverlap(vec3(a.place), vec3(b.place), reach, first);
+// behind: a pair that separates faster is slowed down, by at most the speed of the correction. `i` and
+// `j` are the indices of the balls.
+FUNCTION BallLeaving ballBounce(BallLeaving leaving, BallMotion a, BallMotion b, float reach, float perMass, int i, int j) {
+  BallOverlap before = ballOverlap(a.guess, b.guess, reach, i, j);
+  BallOverlap now = ballOverlap(vec3(a.place), vec3(b.place), reach, i, j);
   precise vec3 relative = a.velocity - b.velocity;
   precise vec3 left = a.after - b.after;
   float approach = exactDot(relative, now.normal);

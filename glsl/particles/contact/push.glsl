@@ -4,11 +4,12 @@
 // Returns the displacement of ball a by ball b. The displacements of a and b are in the inverse ratio of their masses:
 // dx_a = (depth n - held slid) / m_a / (n_a / m_a + n_b / m_b).
 // n is the normal, m_a and m_b are the masses, and n_a and n_b are the factors of ballShare() by which contacts share a
-// mass (mass splitting), so that all pairs together converge. `slid` is the tangential part of the relative
-// displacement in the substep. Coulomb friction undoes the fraction `held` of it, at most the length mu depth.
-FUNCTION vec3 ballPush(Ball a, Ball b, float perMass, bool first) {
+// mass (mass splitting), so that all pairs together converge. `i` and `j` are the indices of the balls. `slid` is the
+// tangential part of the relative displacement in the substep. Coulomb friction undoes the fraction `held` of it, at
+// most the length mu depth.
+FUNCTION vec3 ballPush(Ball a, Ball b, float perMass, int i, int j) {
   precise float reach = a.start.w + b.start.w;
-  BallOverlap o = ballOverlap(vec3(a.place), vec3(b.place), reach, first);
+  BallOverlap o = ballOverlap(vec3(a.place), vec3(b.place), reach, i, j);
   precise vec3 way = (vec3(a.place) - vec3(a.start)) - (vec3(b.place) - vec3(b.start));
   float through = exactDot(way, o.normal);
   precise vec3 slid = way - o.normal * through;
@@ -18,4 +19,13 @@ FUNCTION vec3 ballPush(Ball a, Ball b, float perMass, bool first) {
   precise float part = perMass * exactReciprocal(shares);
   precise vec3 push = (o.normal * o.depth - slid * held) * part;
   return o.depth > 0.0f ? push : vec3(0.0f);
+}
+
+// Returns the displacement of a ball by all its neighbours. It is at most the radius, so that no push takes the ball's
+// centre through the surface of a solid.
+FUNCTION vec3 ballPushes(vec3 sum, float radius) {
+  float squared = exactDot(sum, sum);
+  precise float maximum = radius * radius;
+  precise vec3 limited = sum * (radius * exactInverseSqrt(max(squared, 1e-20f)));
+  return squared > maximum ? limited : sum;
 }

@@ -28,11 +28,11 @@ void main() {
     for (int c = 0; c < 4; ++c) {
       int j = int(four[c]);
       if (j == s) continue;  // As a condition of the loop, NVIDIA's compiler drops this test
-      sum = sum + ballPush(here, Ball(LOAD_INPUT(places, j), LOAD_INPUT(begins, j)), perMass, s < j);
+      sum = sum + ballPush(here, Ball(LOAD_INPUT(places, j), LOAD_INPUT(begins, j)), perMass, s, j);
     }
     if (int(four.w) == s) break;
   }
-  precise vec3 place = here.place.xyz + sum;
+  precise vec3 place = here.place.xyz + ballPushes(sum, here.start.w);
   ParticleMotion m = ParticleMotion(vec4(place, mass), vec4(0.0f));
   if (SOLIDS == 1) m = outOfSolids(m, here.start.xyz);
   if (HEIGHTS == 1) m = overHeights(m);
