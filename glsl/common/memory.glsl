@@ -4,7 +4,8 @@
 // binding numbers of the storage path, so each array of a kernel needs a different number. A compiler may move a texel
 // fetch to after a store to the same element. Therefore, LOAD_ONCE (a texel fetch) is allowed only if the kernel uses
 // the loaded value for the last time before or in that store. LOAD_STATE is for all other loads: it is an image load,
-// which the compiler does not move but which costs three times as much.
+// which the compiler does not move but which costs three times as much. An OUTPUT_ARRAY is never loaded; its binding
+// number may exceed 7, the last image unit of some drivers.
 #ifdef TEXEL_PATH
 #define INPUT_ARRAY(unit, block, name) layout(binding = unit) uniform samplerBuffer name;
 #define LOAD_INPUT(name, i) texelFetch(name, i)
@@ -24,3 +25,5 @@
 #define LOAD_ONCE(name, i) name[i]
 #define STORE_STATE(name, i, value) name[i] = (value)
 #endif
+#define OUTPUT_ARRAY(unit, block, name) \
+  layout(std430, binding = unit) writeonly restrict buffer block { vec4 name[]; };

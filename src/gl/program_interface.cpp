@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <span>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace simreel::gl {
 
@@ -90,6 +95,18 @@ void addBlocks(ProgramInterface& all, GLuint program, bool storage) {
   }
 }
 
+/// Throws std::logic_error if two blocks of one kind share a binding point, since both would access the
+/// buffer that was bound last.
+void checkBindings(const std::vector<ProgramInterface::Block>& blocks) {
+  std::map<std::pair<bool, GLuint>, std::string_view> names;
+  for (const ProgramInterface::Block& block : blocks) {
+    const auto [other, free] = names.emplace(std::pair(block.storage, block.binding), block.name);
+    if (free) continue;
+    throw std::logic_error(fmt::format("blocks {} and {} of a shader share binding point {}", other->second,
+                                       block.name, block.binding));
+  }
+}
+
 }  // namespace
 
 ProgramInterface ProgramInterface::of(GLuint program) {
@@ -97,6 +114,7 @@ ProgramInterface ProgramInterface::of(GLuint program) {
   addUniforms(all, program);
   addBlocks(all, program, true);
   addBlocks(all, program, false);
+  checkBindings(all.blocks);
   return all;
 }
 

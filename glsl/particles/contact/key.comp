@@ -3,7 +3,7 @@
 #include "common/status.glsl"
 INPUT_ARRAY(placesBinding, PositionBlock, positions)
 INPUT_ARRAY(ballStartsBinding, StartBlock, starts)
-INPUT_ARRAY(ballVelocitiesBinding, VelocityBlock, velocities)
+INPUT_ARRAY(speedsBinding, VelocityBlock, velocities)
 STATE_WORDS(recordsBinding, RecordBlock, records)
 
 void main() {

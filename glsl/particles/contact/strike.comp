@@ -11,7 +11,7 @@ INPUT_ARRAY(guessesBinding, GuessBlock, guesses)
 INPUT_ARRAY(pathSpeedsBinding, SpeedBlock, speeds)
 INPUT_WORDS(choicesBinding, ChoiceBlock, choices)
 STATE_ARRAY(nextBinding, NextBlock, nextPlaces)
-STATE_ARRAY(nextSpeedsBinding, NextSpeedBlock, nextSpeeds)
+OUTPUT_ARRAY(nextSpeedsBinding, NextSpeedBlock, nextSpeeds)
 
 void main() {
   int s = int(gl_GlobalInvocationID.x);
