@@ -77,6 +77,13 @@ FUNCTION vec3 ballAside(int a, int b) {
   return squared < 1e-4f ? vec3(a < b ? -1.0f : 1.0f, 0.0f, 0.0f) : aside;
 }
 
+// Returns false if balls at p and q surely do not overlap; this test needs no root.
+FUNCTION bool ballsMayOverlap(vec3 p, vec3 q, float reach) {
+  precise vec3 separation = p - q;
+  precise float squaredReach = reach * reach * 1.00001f;
+  return exactDot(separation, separation) < squaredReach;
+}
+
 // Returns the overlap of ball a at p with ball b at q.
 FUNCTION BallOverlap ballOverlap(vec3 p, vec3 q, float reach, int a, int b) {
   precise vec3 separation = p - q;

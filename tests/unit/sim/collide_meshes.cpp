@@ -57,11 +57,13 @@ std::string bucketObj(double half, double height) {
       text += fmt::format("f {} {} {} {}\n", q[0] + vertices, q[1] + vertices, q[2] + vertices,
                           q[3] + vertices);
   };
-  add({-out, -thick, -out}, {out, 0, out});
-  add({-out, 0, -out}, {-half, height, out});
-  add({half, 0, -out}, {out, height, out});
-  add({-half, 0, -out}, {half, height, -half});
-  add({-half, 0, half}, {half, height, out});
+  // The walls reach into each other and into the floor, because closed parts must not share an edge.
+  constexpr double in = 0.02;
+  add({-out - in, -thick, -out - in}, {out + in, 0, out + in});
+  add({-out, -in, -out}, {-half, height, out});
+  add({half, -in, -out}, {out, height, out});
+  add({-half - in, -in - 0.01, -out + 0.01}, {half + in, height - 0.01, -half});
+  add({-half - in, -in - 0.01, half}, {half + in, height - 0.01, out - 0.01});
   return text;
 }
 
@@ -298,10 +300,12 @@ TEST_CASE("balls: balls that start at one position are moved apart in all direct
 TEST_CASE("balls: of 500 balls poured into a bucket, none passes its walls or its floor") {
   constexpr float radius = 0.04F, half = 0.3F;
   constexpr int count = 500;
-  const test::TemporaryFile file("bucket.obj", balls_solids::bucketObj(half, 0.8));
+  const test::TemporaryFile file("bucket.obj", balls_solids::bucketObj(half, 1.1));
   const auto scene = test::parsedScene(
       test::meshObject(fmt::format(R"("shape": "file", "file": "{}")", file.path().string())));
-  const auto p = balls_solids::falling(count, radius);
+  auto p = balls_solids::falling(count, radius);
+  p.autoSubsteps = false;
+  p.substeps = 8;
   ParticlesTwin twin(sim::ParticlePlan(p, 1, balls::frame));
   twin.meshes.emplace(sim::MeshColliderPlan(scene, 0.08));
   for (int i = 0; i < count; ++i) {
@@ -319,5 +323,5 @@ TEST_CASE("balls: of 500 balls poured into a bucket, none passes its walls or it
   }
   CHECK(nearest > 0.9F * radius);
   CHECK(balls::deepest(twin) < 0.5);
-  for (const glm::vec4& place : twin.positions) CHECK(place.y < 0.8F);
+  for (const glm::vec4& place : twin.positions) CHECK(place.y < 1.1F);
 }
