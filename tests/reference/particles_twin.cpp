@@ -73,7 +73,8 @@ glm::vec3 pairAcceleration(const std::vector<glm::vec4>& bodies, glm::vec3 here,
   vec3 total(0);
   for (std::size_t chunk = 0; chunk < bodies.size(); chunk += chunkBodies) {
     vec3 sum(0);
-    for (std::size_t j = chunk; j < std::min(bodies.size(), chunk + chunkBodies); ++j) sum = addPull(sum, here, bodies[j], softening * softening);
+    for (std::size_t j = chunk; j < std::min(bodies.size(), chunk + chunkBodies); ++j)
+      sum = addPull(sum, here, bodies[j], softening * softening);
     total = total + sum;
   }
   return total * gravity;
