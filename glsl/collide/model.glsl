@@ -1,11 +1,19 @@
 // Motion of a particle and its contact with shapes. Compiles as GLSL and as C++. Needs common/exact.glsl and
 // `stepData`, a struct with `colliders`, `colliderCount` and `dt`.
+// If ROLLS is defined and stepData.balls.rolls is 1, the particle is a ball that turns.
 struct Motion {
   vec3 position;
   vec3 velocity;
+#ifdef ROLLS
+  vec3 spin;  // Angular velocity times radius, m/s
+  vec3 roll;  // Angle turned in the substep times radius, m
+#endif
 };
 
 #include "collide/friction.glsl"
+#ifdef ROLLS
+#include "collide/rolling.glsl"
+#endif
 
 // Contact with a surface.
 struct Touch {
@@ -26,21 +34,42 @@ FUNCTION Motion pushedOut(Motion m, vec3 before, Touch touch) {
   vec3 normal = touch.normal, surface = touch.surface;
   precise vec3 relative = m.velocity - surface;
   float inward = exactDot(relative, normal);
+#ifdef ROLLS
+  bool rolls = stepData.balls.rolls != 0;
+#endif
   float friction = touch.friction;
   bool rubs = friction >= 0.0f;
   precise vec3 sliding = relative - normal * inward;
   precise float back = inward * -touch.bounce;
   float outward = max(inward, back);
   precise float maxSpeed = friction * (outward - inward);
-  float stays = rubs ? leftByFriction(sliding, maxSpeed) : touch.grip;
+#ifdef ROLLS
+  vec3 slip = rolls ? rollingSlip(sliding, m.spin, normal) : sliding;
+#else
+  vec3 slip = sliding;
+#endif
+  float stays = rubs ? leftByFriction(slip, maxSpeed) : touch.grip;
   precise vec3 kept = sliding * stays + normal * outward + surface;
   precise vec3 way = m.position - before - surface * stepData.dt;
   float through = exactDot(way, normal);
   precise vec3 slid = way - normal * through;
   precise float maxWay = friction * max(touch.depth, 0.0f);
+#ifdef ROLLS
+  if (rolls) slid = rollingSlip(slid, m.roll, normal);
+#endif
   float slides = rubs ? leftByFriction(slid, maxWay) : 1.0f;
   precise float held = 1.0f - slides;
   precise vec3 pushed = m.position + normal * touch.depth - slid * held;
+#ifdef ROLLS
+  if (rolls && touching) {
+    precise float lost = 1.0f - stays;
+    precise vec3 rubbed = slip * lost;
+    kept = sliding + normal * outward + surface - rubbed;
+    precise vec3 undone = slid * held;
+    m.spin = rolledBy(m.spin, normal, rubbed);
+    m.roll = rolledBy(m.roll, normal, undone);
+  }
+#endif
   m.position = touching ? pushed : m.position;
   m.velocity = touching ? kept : m.velocity;
   return m;

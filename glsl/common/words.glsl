@@ -16,3 +16,12 @@
 #define LOAD_WORDS(name, i) name[i]
 #define STORE_WORDS(name, i, value) name[i] = (value)
 #endif
+
+// Returns component c of a vector, and the vector with another component c. An index that is not constant would make
+// some compilers keep the vector in memory.
+uint wordAt(uvec4 words, int c) {
+  return c < 2 ? (c == 0 ? words.x : words.y) : (c == 2 ? words.z : words.w);
+}
+uvec4 withWord(uvec4 words, int c, uint word) {
+  return uvec4(c == 0 ? word : words.x, c == 1 ? word : words.y, c == 2 ? word : words.z, c == 3 ? word : words.w);
+}

@@ -18,6 +18,9 @@ layout(local_size_x = 64) in;
 #ifndef BALLS
 STATE_ARRAY(positionsBinding, PositionBlock, positions)
 STATE_ARRAY(velocitiesBinding, VelocityBlock, velocities)
+#ifdef ROLLS
+STATE_ARRAY(spinsBinding, SpinBlock, spins)
+#endif
 #ifdef SETTLES
 INPUT_ARRAY(startsBinding, StartBlock, starts)
 #else

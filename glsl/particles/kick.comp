@@ -5,7 +5,7 @@
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= stepData.count) return;
-  ParticleMotion m = ParticleMotion(LOAD_STATE(positions, i), LOAD_STATE(velocities, i));
+  ParticleMotion m = particleMotion(LOAD_STATE(positions, i), LOAD_STATE(velocities, i));
   vec3 pull = LOAD_STATE(accelerations, i).xyz;
   Pace pace = stepData.pace;
   ivec2 place = ringPlace(i);

@@ -8,7 +8,46 @@
 struct ParticleMotion {
   vec4 position;  // xyz position, m; w mass, kg (0 if not alive)
   vec4 velocity;  // xyz velocity, m/s; w age as a fraction of life, 0 to 1 (negative if not alive)
+#ifdef ROLLS
+  vec3 spin;      // As in Motion
+  vec3 roll;
+#endif
 };
+
+// Returns the motion of a particle that does not turn.
+FUNCTION ParticleMotion particleMotion(vec4 position, vec4 velocity) {
+  ParticleMotion m;
+  m.position = position;
+  m.velocity = velocity;
+#ifdef ROLLS
+  m.spin = vec3(0.0f);
+  m.roll = vec3(0.0f);
+#endif
+  return m;
+}
+
+#ifdef ROLLS
+// Returns the radius of a particle as a ball that turns, in metres.
+FUNCTION float turningRadius(float mass) {
+  precise float radius = stepData.balls.radius * ballScale(mass);
+  return max(radius, 1e-20f);
+}
+
+// Returns the motion of a ball with the angular velocity `spin` (xyz, rad/s).
+FUNCTION ParticleMotion turning(ParticleMotion m, vec4 spin) {
+  precise vec3 speed = vec3(spin) * turningRadius(m.position.w);
+  precise vec3 roll = speed * stepData.dt;
+  m.spin = speed;
+  m.roll = roll;
+  return m;
+}
+
+// Returns the angular velocity (xyz, rad/s) of a ball.
+FUNCTION vec4 spinOf(ParticleMotion m) {
+  precise vec3 spin = m.spin * exactReciprocal(turningRadius(m.position.w));
+  return vec4(spin, 0.0f);
+}
+#endif
 
 // Returns the upper 24 bits of a word as a number in [0, 1), without rounding.
 FUNCTION float unit(uint bits) {
@@ -155,9 +194,7 @@ FUNCTION ParticleMotion grownOlder(ParticleMotion m, float seconds, int slot, in
 // Applies the first kick and the drift to a particle that was born before the substep. Particles of emitters also age
 // and die.
 FUNCTION ParticleMotion moved(int i, vec4 position, vec4 velocity, vec3 acceleration) {
-  ParticleMotion m;
-  m.position = position;
-  m.velocity = velocity;
+  ParticleMotion m = particleMotion(position, velocity);
   if (velocity.w < 0.0f) return m;
   m = drifted(m, acceleration, stepData.pace);
   ivec2 place = ringPlace(i);
@@ -195,10 +232,7 @@ FUNCTION ParticleMotion newborn(int e, int k, float fraction) {
   precise float radius = max(max(unit(c.x), unit(c.y)), unit(c.z)) * emitter.constants.radius;
   precise vec3 place = vec3(backTo(emitter.position, emitter.positionBefore, fraction)) +
                        onSphere(signedUnit(b.x), unit(b.y)) * radius;
-  ParticleMotion m;
-  m.position = vec4(place, emitter.constants.mass);
-  m.velocity = vec4(velocity, 0.0f);
-  return m;
+  return particleMotion(vec4(place, emitter.constants.mass), vec4(velocity, 0.0f));
 }
 
 // Returns new particle k of emitter e after the first kick and drift over the remaining part of the substep, with the
@@ -219,11 +253,19 @@ FUNCTION ParticleMotion outOfSolids(ParticleMotion m, vec3 from) {
   Motion here;
   here.position = vec3(m.position);
   here.velocity = vec3(m.velocity);
+#ifdef ROLLS
+  here.spin = m.spin;
+  here.roll = m.roll;
+#endif
   precise float margin = stepData.constants.margin * ballScale(m.position.w);
   Motion out_ = outOfShapes(here, from, margin, stepData.constants.bounce);
   out_ = outOfMeshes(out_, from, margin, stepData.constants.bounce);
   m.position = alive ? vec4(out_.position, m.position.w) : m.position;
   m.velocity = alive ? vec4(out_.velocity, m.velocity.w) : m.velocity;
+#ifdef ROLLS
+  m.spin = alive ? out_.spin : m.spin;
+  m.roll = alive ? out_.roll : m.roll;
+#endif
   return m;
 }
 

@@ -6,7 +6,7 @@ void main() {
   int i = int(gl_GlobalInvocationID.x);
   if (i >= stepData.count) return;
   vec4 from = LOAD_INPUT(starts, i);
-  ParticleMotion m = ParticleMotion(LOAD_ONCE(positions, i), LOAD_ONCE(velocities, i));
+  ParticleMotion m = particleMotion(LOAD_ONCE(positions, i), LOAD_ONCE(velocities, i));
   if (from.w == 0.0f) return;  // Contact with cloth does not move new particles.
   if (SOLIDS == 1) m = outOfSolids(m, from.xyz);
   if (HEIGHTS == 1) m = overHeights(m);

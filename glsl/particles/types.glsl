@@ -51,6 +51,7 @@ struct STD140 BallConstants {
   float perDt DEFAULT(0.0f);             // 1 / duration of a substep, 1/s
   int tableMask DEFAULT(1);              // Number of buckets in the table, minus 1; serves as a bit mask
   int listed DEFAULT(16);                // Maximum number of neighbours of a ball, a multiple of 4
+  int rolls DEFAULT(0);                  // 1 if balls have an angular velocity
 };
 
 // Emitter: a ring buffer of slots. New particles take the slots in turn; each has its own moment of birth within the

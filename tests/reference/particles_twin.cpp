@@ -19,6 +19,7 @@ using namespace simreel::shader;
 #define precise
 #include "glsl/particles/pace.glsl"
 #include "glsl/particles/pairs.glsl"
+#define ROLLS  // BallConstants::rolls selects
 /// Provides the globals that model.glsl reads in a kernel, and includes the model files.
 struct Kernel : WindKernel {
   const ParticleStep& stepData;
@@ -46,6 +47,7 @@ struct Kernel : WindKernel {
 #include "glsl/particles/contact/scale.glsl"
 #include "glsl/particles/model.glsl"
 };
+#undef ROLLS
 #undef precise
 #undef FUNCTION
 
@@ -68,12 +70,11 @@ void forAll(std::size_t count, int threads, const Body& body) {
 
 glm::vec3 pairAcceleration(const std::vector<glm::vec4>& bodies, glm::vec3 here, float gravity,
                            float softening) {
-  const float softeningSquared = softening * softening;
   vec3 total(0);
   for (std::size_t chunk = 0; chunk < bodies.size(); chunk += chunkBodies) {
     vec3 sum(0);
-    const std::size_t end = std::min(bodies.size(), chunk + chunkBodies);
-    for (std::size_t j = chunk; j < end; ++j) sum = addPull(sum, here, bodies[j], softeningSquared);
+    for (std::size_t j = chunk; j < std::min(bodies.size(), chunk + chunkBodies); ++j)
+      sum = addPull(sum, here, bodies[j], softening * softening);
     total = total + sum;
   }
   return total * gravity;
@@ -90,6 +91,8 @@ ParticlesTwin::ParticlesTwin(simreel::sim::ParticlePlan plan) : plan_(std::move(
   positions = std::move(cloud.positions);
   velocities = std::move(cloud.velocities);
   accelerations.assign(positions.size(), vec4(0));
+  spins.assign(positions.size(), vec4(0));
+  turns.assign(positions.size(), vec4(0, 0, 0, 1));
 }
 
 void ParticlesTwin::step(double time, int threads) {
@@ -122,14 +125,18 @@ void ParticlesTwin::meet(int index, const std::function<void(const Meet&)>& body
     kernel.wallGrid = walls->grid({p.margin, p.bounce, plan_.substepSeconds()});
     kernel.walls = &*walls;
   }
-  body([&](std::size_t i, const vec4& position, const vec4& velocity, const vec4* start) {
-    Kernel::ParticleMotion m{position, velocity};
+  body([&](std::size_t i, const vec4& position, const vec4& velocity, const vec4* start,
+           const Rolling& rolling) {
+    Kernel::ParticleMotion m = kernel.particleMotion(position, velocity);
+    m.spin = rolling.spin;
+    m.roll = rolling.roll;
     if (data.colliderCount > 0 || meshes)
       m = kernel.outOfSolids(m, vec3(start != nullptr ? *start : position));
     if (heightPlan) m = kernel.overHeights(m);
     if (walls) m = kernel.besideWalls(m, vec3(start != nullptr ? *start : m.position));
     positions[i] = m.position;
     velocities[i] = m.velocity;
+    return Rolling{m.spin, m.roll};
   });
 }
 
@@ -137,10 +144,9 @@ void ParticlesTwin::meet(int index, const std::function<void(const Meet&)>& body
 struct ParticlesTwin::Balls {
   std::vector<uint> slots;
   std::vector<vec4> guesses, begins, speeds, places;
+  std::vector<vec3> spins, rolls;  ///< angular velocities (m/s) and angles of the substep (m), times radii
   std::vector<std::vector<int>> lists;
-  [[nodiscard]] float perMass(std::size_t s) const {
-    return exactReciprocal(std::max(guesses[s].w, 1e-30F));
-  }
+  [[nodiscard]] float perMass(std::size_t s) const { return exactReciprocal(max(guesses[s].w, 1e-30F)); }
 };
 
 namespace {
@@ -148,7 +154,7 @@ namespace {
 using Balls = ParticlesTwin::Balls;
 
 Balls sortedBalls(Kernel& kernel, const std::vector<vec4>& positions, const std::vector<vec4>& starts,
-                  const std::vector<vec4>& velocities) {
+                  const std::vector<vec4>& velocities, const std::vector<vec4>& spins) {
   Balls balls;
   std::vector<uint> buckets(positions.size());
   const auto dead = static_cast<uint>(kernel.stepData.balls.tableMask);
@@ -165,6 +171,7 @@ Balls sortedBalls(Kernel& kernel, const std::vector<vec4>& positions, const std:
     balls.guesses.push_back(positions[i]);
     balls.begins.emplace_back(vec3(fresh ? positions[i] : starts[i]), buckets[i] == dead ? 0 : radius);
     balls.speeds.push_back(velocities[i]);
+    balls.spins.push_back(fresh ? vec3(0) : vec3(spins[i]) * radius);
   }
   return balls;
 }
@@ -211,7 +218,7 @@ Kernel::BallImpact impactOf(Kernel& kernel, const Balls& balls, std::size_t a, s
                            balls.begins[a].w + balls.begins[b].w);
 }
 
-/// Returns the neighbour that each ball meets first; its own index if there is none.
+/// Returns the neighbour that each ball meets first, or the ball itself.
 std::vector<std::size_t> partnersOf(Kernel& kernel, const Balls& balls) {
   std::vector<std::size_t> partners;
   for (std::size_t s = 0; s < balls.guesses.size(); ++s) {
@@ -238,49 +245,60 @@ void ParticlesTwin::strikeBalls(int index, Balls& balls) {
   for (int round = 0; round < plan_.ballImpacts(); ++round) {
     const auto partners = partnersOf(kernel, balls);
     auto places = balls.places, speeds = balls.speeds;
+    std::vector<vec3> turning = balls.spins;
     meet(index, [&](const Meet& out) {
       for (std::size_t s = 0; s < partners.size(); ++s) {
         const std::size_t other = partners[s];
         if (other == s || partners[other] != s) continue;
-        const auto after = kernel.ballStruck(pathOf(kernel, balls, s), impactOf(kernel, balls, s, other),
-                                             balls.perMass(s), balls.perMass(other));
-        out(s, vec4(after.end, balls.guesses[s].w), vec4(after.velocity, balls.speeds[s].w),
-            &balls.begins[s]);
+        const auto after =
+            kernel.ballStruck(pathOf(kernel, balls, s), impactOf(kernel, balls, s, other), balls.perMass(s),
+                              balls.perMass(other), balls.spins[s], balls.spins[other]);
+        const Rolling rolling{after.spin, after.spin * kernel.stepData.dt};
+        const vec4 end(after.path.end, balls.guesses[s].w);
+        turning[s] =
+            out(s, end, vec4(after.path.velocity, balls.speeds[s].w), &balls.begins[s], rolling).spin;
         places[s] = vec4(vec3(positions[s]), balls.places[s].w);
         speeds[s] = velocities[s];
       }
     });
     balls.places = places;
     balls.speeds = speeds;
+    balls.spins = turning;
   }
 }
 
 void ParticlesTwin::correctBalls(int index, Balls& balls) {
   Kernel kernel{{}, steps_[static_cast<std::size_t>(index)]};
+  for (const vec3& spin : balls.spins) balls.rolls.push_back(spin * kernel.stepData.dt);
   for (int round = 0; round < ballIterations; ++round) {
     std::vector<vec4> next = balls.places;
+    std::vector<vec3> rolls(next.size(), vec3(0));
     meet(index, [&](const Meet& out) {
       for (std::size_t s = 0; s < next.size(); ++s) {
         if (balls.begins[s].w <= 0) continue;
         const Kernel::Ball here{balls.places[s], balls.begins[s]};
-        vec3 sum(0);
+        vec3 sum(0), turned = balls.rolls[s];
         for (const int j : balls.lists[s]) {
           const auto other = static_cast<std::size_t>(j);
-          sum = sum + kernel.ballPush(here, {balls.places[other], balls.begins[other]}, balls.perMass(s),
-                                      static_cast<int>(s) < j);
+          const auto push =
+              kernel.ballPush(here, {balls.places[other], balls.begins[other]}, balls.perMass(s),
+                              static_cast<int>(s), j, balls.rolls[s] + balls.rolls[other]);
+          sum = sum + push.way;
+          turned = turned + push.roll;
         }
-        const vec3 place = vec3(here.place) + sum;
-        out(s, vec4(place, balls.guesses[s].w), vec4(0), &balls.begins[s]);
+        const vec4 place(vec3(here.place) + kernel.ballPushes(sum, here.start.w), balls.guesses[s].w);
+        rolls[s] = out(s, place, vec4(0), &balls.begins[s], {vec3(0), turned}).roll;
         next[s] = vec4(vec3(positions[s]), here.place.w);
       }
     });
     balls.places = next;
+    balls.rolls = rolls;
   }
 }
 
 void ParticlesTwin::touchBalls(int index) {
   Kernel kernel{{}, steps_[static_cast<std::size_t>(index)]};
-  Balls balls = sortedBalls(kernel, positions, starts, velocities);
+  Balls balls = sortedBalls(kernel, positions, starts, velocities, spins);
   findNeighbours(kernel, balls);
   const auto stateBefore = std::pair(positions, velocities);
   strikeBalls(index, balls);
@@ -297,12 +315,20 @@ void ParticlesTwin::touchBalls(int index) {
     for (const int j : balls.lists[s]) {
       const auto other = static_cast<std::size_t>(j);
       leaving = kernel.ballBounce(leaving, here, motionOf(other), balls.begins[s].w + balls.begins[other].w,
-                                  balls.perMass(s), static_cast<int>(s) < j);
+                                  balls.perMass(s), static_cast<int>(s), j);
     }
     vec3 velocity = kernel.ballLeft(leaving, here), place = vec3(here.place);
-    if (leaving.touches && kernel.ballRests(vec3(balls.begins[s]), place, velocity)) {
+    const bool rests = leaving.touches && kernel.ballRests(vec3(balls.begins[s]), place, velocity);
+    if (rests) {
       place = vec3(balls.begins[s]);
       velocity = kernel.ballIdle(velocity);
+    }
+    if (plan_.rolls()) {
+      const std::size_t i = balls.slots[s];
+      const vec3 spin = kernel.ballSpin(balls.rolls[s], balls.begins[s].w);
+      spins[i] = vec4(rests ? kernel.ballIdle(spin) : spin, 0);
+      if (kernel.ringPlace(static_cast<int>(i)).y >= 0) turns[i] = vec4(0, 0, 0, 1);
+      turns[i] = kernel.ballTurned(turns[i], rests ? vec3(0) : spin);
     }
     positions[balls.slots[s]] = vec4(place, balls.guesses[s].w);
     velocities[balls.slots[s]] = vec4(velocity, balls.speeds[s].w);
@@ -317,13 +343,18 @@ void ParticlesTwin::predict(int index, int threads) {
   starts = positions;
   meet(index, [&](const Meet& out) {
     forAll(positions.size(), threads, [&](std::size_t i) {
-      const auto m = kernel.moved(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i]));
-      out(i, m.position, m.velocity, &starts[i]);
+      auto m = kernel.moved(static_cast<int>(i), positions[i], velocities[i], vec3(accelerations[i]));
+      if (plan_.rolls()) m = kernel.turning(m, spins[i]);
+      const Rolling after = out(i, m.position, m.velocity, &starts[i], {m.spin, m.roll});
+      if (!plan_.rolls()) return;
+      m.position = positions[i];
+      m.spin = after.spin;
+      spins[i] = kernel.spinOf(m);
     });
     for (int e = 0; e < data.emitterCount; ++e)
       for (int k = 0; k < data.emitters[e].newborns; ++k) {
         const auto m = kernel.newbornMoved(e, k, p.attractor.has_value(), p.turbulence.strength > 0);
-        out(static_cast<std::size_t>(kernel.newbornSlot(e, k)), m.position, m.velocity, nullptr);
+        out(static_cast<std::size_t>(kernel.newbornSlot(e, k)), m.position, m.velocity, nullptr, {});
       }
   });
   attract(threads);
@@ -334,7 +365,7 @@ void ParticlesTwin::predict(int index, int threads) {
 void ParticlesTwin::settle(int index) {
   meet(index, [&](const Meet& out) {
     for (std::size_t i = 0; i < positions.size(); ++i)
-      if (starts[i].w != 0) out(i, positions[i], velocities[i], &starts[i]);
+      if (starts[i].w != 0) out(i, positions[i], velocities[i], &starts[i], {});
   });
 }
 
@@ -352,7 +383,7 @@ void ParticlesTwin::kick(const ParticleStep& data, int threads) {
   forAll(positions.size(), threads, [&](std::size_t i) {
     Kernel kernel{{}, data};
     kernel.blow(wind);
-    Kernel::ParticleMotion m{positions[i], velocities[i]};
+    Kernel::ParticleMotion m = kernel.particleMotion(positions[i], velocities[i]);
     const vec3 pull = pairs ? vec3(accelerations[i]) : vec3(0);
     Pace pace = data.pace;
     if (const auto place = kernel.ringPlace(static_cast<int>(i)); place.y >= 0) {

@@ -31,6 +31,8 @@ class ParticlesTwin {
   std::vector<glm::vec4> positions;      ///< positions (xyz, metres); w: mass in kg
   std::vector<glm::vec4> velocities;     ///< velocities (xyz, m/s); w: age in seconds
   std::vector<glm::vec4> accelerations;  ///< accelerations (xyz, m/s^2)
+  std::vector<glm::vec4> spins;          ///< angular velocities (xyz, rad/s) of balls that turn
+  std::vector<glm::vec4> turns;          ///< orientations of balls that turn (unit quaternions x, y, z, w)
   std::vector<glm::vec4> starts;         ///< positions before predict()
   /// Deformed mesh that the particles may touch.
   std::optional<simreel::sim::HeightPlan> heightPlan;
@@ -45,10 +47,14 @@ class ParticlesTwin {
   struct Balls;
 
  private:
+  /// Angular velocity (m/s) and angle of the substep (m) of a ball that turns, times its radius.
+  struct Rolling {
+    glm::vec3 spin{0}, roll{0};
+  };
   /// Function that resolves the collisions of particle `i` on its path from `start` and stores the result.
-  /// A null `start` stands for the current position.
-  using Meet = std::function<void(std::size_t i, const glm::vec4& position, const glm::vec4& velocity,
-                                  const glm::vec4* start)>;
+  /// A null `start` stands for the current position. Returns the rotation after the collisions.
+  using Meet = std::function<Rolling(std::size_t i, const glm::vec4& position, const glm::vec4& velocity,
+                                     const glm::vec4* start, const Rolling& rolling)>;
   void meet(int index, const std::function<void(const Meet&)>& body);
   void touchBalls(int index);
   void strikeBalls(int index, Balls& balls);

@@ -1,10 +1,12 @@
 // Measures balls in contact in a box: frames/s on the device, exact and fast, a plain loop of the same
 // method on one thread of the CPU from the same state, and the time that the memory traffic takes at the
 // device's rate of copying.
-//   bench_balls [balls] [frames of settling]
+//   bench_balls [balls] [frames of settling] [--kernels]
+// --kernels: prints the time of each kernel in one frame, exact and fast, by timer queries.
 #include "plain/balls.hpp"
 
 #include "base/processor.hpp"
+#include "beside/dispatch_times.hpp"
 #include "beside/memory.hpp"
 #include "gl/context.hpp"
 #include "sim/core/kind.hpp"
@@ -18,6 +20,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -124,7 +127,14 @@ void describe(const char* what, const Taken& taken, const Taken& plainTaken,
       height / static_cast<double>(places.size()));
 }
 
-void run(int count, int settling) {
+/// Prints the kernels' times in one frame.
+void describeKernels(const bench::DispatchTimes& times) {
+  for (const auto& entry : times.sums())
+    fmt::print("  {:9.3f} ms in {:4} dispatches: {}\n", entry.second.seconds * 1e3, entry.second.dispatches,
+               entry.first);
+}
+
+void run(int count, int settling, bool kernels) {
   const float half = halfOf(count);
   const auto colliders = box(half);
   const sim::ParticleParameters p = parametersOf(count);
@@ -153,6 +163,10 @@ void run(int count, int settling) {
     });
     const auto heap = plainHeap(plan, particles->state(), half);
     describe(fast ? "device, fast" : "device, exact", taken, plainTaken, heap.positions);
+    if (!kernels) continue;
+    const bench::DispatchTimes times;
+    particles->step(at++ * frame, {});
+    describeKernels(times);
   }
   const double bytes = bytesOf(plan.ballImpacts(), passes) * count * substeps;
   const int dispatches = 6 + 3 * passes + 2 * plan.ballImpacts() + shader::ballIterations;
@@ -164,6 +178,9 @@ void run(int count, int settling) {
 
 int main(int argc, char** argv) {
   const gl::Context context;
+  const bool kernels = std::string_view(argv[argc - 1]) == "--kernels";
+  const int numbers = kernels ? argc - 1 : argc;
   fmt::print("device: {}; {} processors\n", context.device().name, processorCount());
-  ball_bench::run(argc > 1 ? std::atoi(argv[1]) : 100000, argc > 2 ? std::atoi(argv[2]) : 60);
+  ball_bench::run(numbers > 1 ? std::atoi(argv[1]) : 100000, numbers > 2 ? std::atoi(argv[2]) : 60,
+                  kernels);
 }

@@ -18,5 +18,8 @@ const int ballStartsBinding = 10;  // Positions at the substep's start
 const int pathSpeedsBinding = 10;  // The array of speedsBinding in strike.comp
 const int nextSpeedsBinding = 11;
 const int struckBinding = 10;      // Positions after the impacts
+const int turnsBinding = 4;        // Orientations of balls that turn, in slot order
+const int rollsBinding = 12;       // Angular velocities of balls that turn, or angles of the substep, times their radii
+const int nextRollsBinding = 13;   // The same after an iteration or an impact
 
 #endif

@@ -23,7 +23,7 @@ void main() {
   for (int k = 0; k < listed; k += 4) {
     uvec4 four = LOAD_INPUT_WORDS(lists, (k >> 2) * stepData.count + s);
     for (int c = 0; c < 4; ++c) {
-      int j = int(four[c]);
+      int j = int(wordAt(four, c));
       if (j == s) continue;  // As a condition of the loop, NVIDIA's compiler drops this test
       precise float reach = radius + LOAD_INPUT(begins, j).w;
       BallImpact hit = ballImpact(here, ballPath(LOAD_INPUT(places, j), LOAD_INPUT(speeds, j)), reach);

@@ -9,6 +9,10 @@ OUTPUT_ARRAY(guessesBinding, GuessBlock, guesses)
 STATE_ARRAY(beginsBinding, BeginBlock, begins)
 STATE_ARRAY(speedsBinding, SpeedBlock, speeds)
 STATE_WORDS(tableBinding, TableBlock, table)
+#ifdef ROLLS
+INPUT_ARRAY(rollsBinding, SpinBlock, spins)
+OUTPUT_ARRAY(nextRollsBinding, NextSpinBlock, nextSpins)
+#endif
 uniform int stamp;  // Serial number of this search; ranges of earlier searches in the table are ignored
 
 void main() {
@@ -25,6 +29,10 @@ void main() {
   STORE_STATE(guesses, s, here);
   STORE_STATE(begins, s, vec4(from, alive ? radius : 0.0f));
   STORE_STATE(speeds, s, speed);
+#ifdef ROLLS
+  precise vec3 spin = LOAD_INPUT(spins, i).xyz * radius;
+  STORE_STATE(nextSpins, s, vec4(alive && place.y < 0 ? spin : vec3(0.0f), 0.0f));
+#endif
   if (!alive || (s > 0 && LOAD_INPUT_WORDS(records, s - 1).x == record.x)) return;
   int end = s + 1;
   int last = min(s + ballRun, stepData.count);

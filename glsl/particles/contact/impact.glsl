@@ -28,23 +28,31 @@ struct BallImpact {
 FUNCTION BallImpact ballImpact(BallPath a, BallPath b, float reach) {
   BallImpact hit;
   precise vec3 relative = a.velocity - b.velocity;
-  precise vec3 apart = (a.end - b.end) - relative * stepData.dt;
   float squaredSpeed = exactDot(relative, relative);
+  hit.time = -1.0f;
+  hit.speed = 0.0f;
+  hit.normal = vec3(0.0f);
+  hit.relative = relative;
+  // The approach is not faster than the relative velocity, so most pairs of a heap need no root.
+  precise float fewest = stepData.balls.bounceFrom * stepData.balls.bounceFrom * 0.999f;
+  if (squaredSpeed < fewest) return hit;
+  precise vec3 apart = (a.end - b.end) - relative * stepData.dt;
   float along = exactDot(apart, relative);
+  if (along >= 0.0f) return hit;
   precise float beyond = exactDot(apart, apart) - reach * reach;
   precise float discriminant = along * along - squaredSpeed * beyond;
-  precise float divisor = exactSqrt(max(discriminant, 0.0f)) - along;
+  if (discriminant < 0.0f) return hit;
+  precise float divisor = exactSqrt(discriminant) - along;
   precise float meets = beyond * exactReciprocal(max(divisor, 1e-20f));
   hit.time = max(meets, 0.0f);
   precise vec3 there = relative * hit.time + apart;
   precise vec3 normal = there * exactInverseSqrt(max(exactDot(there, there), 1e-20f));
   hit.normal = normal;
-  hit.relative = relative;
   hit.speed = -exactDot(relative, normal);
   precise float squaredApproach = hit.speed * hit.speed;
   precise float minimum = squaredSpeed * 1e-8f;
   bool fast = hit.speed > stepData.balls.bounceFrom && squaredApproach > minimum;
-  bool met = along < 0.0f && discriminant >= 0.0f && hit.time <= stepData.dt && fast;
+  bool met = hit.time <= stepData.dt && fast;
   hit.time = met ? hit.time : -1.0f;
   return hit;
 }
@@ -63,11 +71,22 @@ FUNCTION bool ballSooner(BallImpact a, BallImpact b, uint tieA, uint tieB) {
   return tieA < tieB;
 }
 
-// Returns the path of ball a after the impact. The pair leaves with the fraction e of its speed of approach. Friction
-// removes sliding speed, at most mu times the change along the normal (Coulomb).
-FUNCTION BallPath ballStruck(BallPath a, BallImpact hit, float perMassA, float perMassB) {
+// Path of a ball after an impact, and its angular velocity times its radius.
+struct BallStruck {
+  BallPath path;
+  vec3 spin;
+};
+
+// Returns ball a after the impact. The pair leaves with the fraction e of its speed of approach. Friction removes
+// sliding speed of the contact point, at most mu times the change along the normal (Coulomb). `spinA` and `spinB` are the
+// angular velocities times the radii.
+FUNCTION BallStruck ballStruck(BallPath a, BallImpact hit, float perMassA, float perMassB, vec3 spinA, vec3 spinB) {
   precise float along = (1.0f + stepData.balls.restitution) * hit.speed;
   precise vec3 sliding = hit.relative + hit.normal * hit.speed;
+#ifdef ROLLS
+  precise vec3 spins = spinA + spinB;
+  if (stepData.balls.rolls != 0) sliding = rollingSlip(sliding, spins, hit.normal);
+#endif
   precise float maximum = stepData.balls.friction * along;
   precise float held = 1.0f - leftByFriction(sliding, maximum);
   precise float perMasses = perMassA + perMassB;
@@ -76,7 +95,13 @@ FUNCTION BallPath ballStruck(BallPath a, BallImpact hit, float perMassA, float p
   precise float remains = stepData.dt - hit.time;
   precise vec3 end = a.end + change * remains;
   precise vec3 velocity = a.velocity + change;
-  a.end = end;
-  a.velocity = velocity;
-  return a;
+  BallStruck after;
+  after.path.end = end;
+  after.path.velocity = velocity;
+  after.spin = spinA;
+#ifdef ROLLS
+  precise vec3 rubbed = sliding * held * part;
+  if (stepData.balls.rolls != 0) after.spin = rolledBy(spinA, hit.normal, rubbed);
+#endif
+  return after;
 }

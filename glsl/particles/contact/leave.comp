@@ -11,6 +11,11 @@ INPUT_WORDS(listsBinding, ListBlock, lists)
 INPUT_WORDS(recordsBinding, RecordBlock, records)
 STATE_ARRAY(nextBinding, PositionBlock, positions)
 STATE_ARRAY(ballVelocitiesBinding, VelocityBlock, velocities)
+#ifdef ROLLS
+INPUT_ARRAY(rollsBinding, RollBlock, rolls)
+OUTPUT_ARRAY(nextRollsBinding, SpinBlock, spins)
+STATE_ARRAY(turnsBinding, TurnBlock, turns)
+#endif
 
 BallMotion motionOf(int s) {
   return ballMotion(LOAD_INPUT(struck, s).xyz, LOAD_INPUT(speeds, s).xyz, LOAD_INPUT(places, s));
@@ -28,20 +33,28 @@ void main() {
   for (int k = 0; k < stepData.balls.listed; k += 4) {
     uvec4 four = LOAD_INPUT_WORDS(lists, (k >> 2) * stepData.count + s);
     for (int c = 0; c < 4; ++c) {
-      int j = int(four[c]);
+      int j = int(wordAt(four, c));
       if (j == s) continue;  // As a condition of the loop, NVIDIA's compiler drops this test
       precise float reach = begin.w + LOAD_INPUT(begins, j).w;
-      leaving = ballBounce(leaving, here, motionOf(j), reach, perMass, s < j);
+      leaving = ballBounce(leaving, here, motionOf(j), reach, perMass, s, j);
     }
     if (int(four.w) == s) break;
   }
   vec3 place = here.place.xyz;
   vec3 velocity = ballLeft(leaving, here);
-  if (leaving.touches && ballRests(begin.xyz, place, velocity)) {
+  bool rests = leaving.touches && ballRests(begin.xyz, place, velocity);
+  if (rests) {
     place = begin.xyz;
     velocity = ballIdle(velocity);
   }
   int i = int(LOAD_INPUT_WORDS(records, s).z);
+#ifdef ROLLS
+  vec3 spin = ballSpin(LOAD_INPUT(rolls, s).xyz, begin.w);
+  if (rests) spin = ballIdle(spin);
+  vec4 turn = ringPlace(i).y < 0 ? LOAD_ONCE(turns, i) : vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  STORE_STATE(spins, i, vec4(spin, 0.0f));
+  STORE_STATE(turns, i, ballTurned(turn, rests ? vec3(0.0f) : spin));
+#endif
   STORE_STATE(positions, i, vec4(place, mass));
   STORE_STATE(velocities, i, vec4(velocity, LOAD_INPUT(speeds, s).w));
 }

@@ -37,10 +37,12 @@ FUNCTION BallLeaving ballLeaving(BallMotion a) {
 
 // Adds the contact of ball a with ball b. A pair that overlapped before the corrections leaves with the fraction e of its
 // approach speed, or with 0 if it approached slower than `bounceFrom`. The correction of an overlap leaves no velocity
-// behind: a pair that separates faster is slowed down, by at most the speed of the correction.
-FUNCTION BallLeaving ballBounce(BallLeaving leaving, BallMotion a, BallMotion b, float reach, float perMass, bool first) {
-  BallOverlap before = ballOverlap(a.guess, b.guess, reach, first);
-  BallOverlap now = ballOverlap(vec3(a.place), vec3(b.place), reach, first);
+// behind: a pair that separates faster is slowed down, by at most the speed of the correction. `i` and
+// `j` are the indices of the balls.
+FUNCTION BallLeaving ballBounce(BallLeaving leaving, BallMotion a, BallMotion b, float reach, float perMass, int i, int j) {
+  if (!ballsMayOverlap(a.guess, b.guess, reach)) return leaving;
+  BallOverlap before = ballOverlap(a.guess, b.guess, reach, i, j);
+  BallOverlap now = ballOverlap(vec3(a.place), vec3(b.place), reach, i, j);
   precise vec3 relative = a.velocity - b.velocity;
   precise vec3 left = a.after - b.after;
   float approach = exactDot(relative, now.normal);
@@ -84,4 +86,28 @@ FUNCTION bool ballRests(vec3 start, vec3 place, vec3 velocity) {
 FUNCTION vec3 ballIdle(vec3 velocity) {
   precise vec3 slower = velocity * 0.9f;
   return slower;
+}
+
+// Returns the angular velocity (rad/s) of a ball of the radius `radius` that has turned by the angle `roll` / radius in the
+// substep.
+FUNCTION vec3 ballSpin(vec3 roll, float radius) {
+  precise vec3 spin = roll * (stepData.balls.perDt * exactReciprocal(max(radius, 1e-20f)));
+  return spin;
+}
+
+// Returns the orientation (unit quaternion x, y, z, w) after a substep with the angular velocity `spin`, in rad/s.
+FUNCTION vec4 ballTurned(vec4 turn, vec3 spin) {
+  float squared = exactDot(spin, spin);
+  if (squared < 1e-12f) return turn;
+  float perSpeed = exactInverseSqrt(squared);
+  precise float half_ = squared * perSpeed * stepData.dt * 0.5f;
+  half_ = min(half_, 1e3f);
+  precise vec3 axis = spin * (perSpeed * exactSin(half_));
+  float cosine = exactCos(half_);
+  vec3 before = vec3(turn);
+  precise vec3 v = before * cosine + axis * turn.w + exactCross(axis, before);
+  precise float w = turn.w * cosine - exactDot(axis, before);
+  vec4 after = vec4(v, w);
+  precise vec4 unit_ = after * exactInverseSqrt(max(exactDot(after, after), 1e-20f));
+  return unit_;
 }

@@ -1,5 +1,6 @@
-// Contact of particles as balls: the grid of cells in which pairs are searched, and the overlap of a pair. Compiles as GLSL and as C++ (the CPU twin of the tests). The including file provides `stepData`
-// (ParticleStep), common/exact.glsl and common/hash.glsl.
+// Contact of particles as balls: the grid of cells in which pairs are searched, and the overlap of a pair. Compiles as
+// GLSL and as C++ (the CPU twin of the tests). The including file provides `stepData` (ParticleStep), common/exact.glsl
+// and common/hash.glsl.
 
 // Returns a ball's radius in metres. It grows with the mass like the drawn size.
 FUNCTION float ballRadius(float mass) {
@@ -66,17 +67,34 @@ struct BallOverlap {
   float depth;  // Depth of the overlap in metres; there is no contact if it is not positive
 };
 
-// Returns the overlap of ball a with ball b. `first` is true if a has the lower index; balls at the same position then
-// get opposite normals.
-FUNCTION BallOverlap ballOverlap(vec3 a, vec3 b, float reach, bool first) {
-  precise vec3 separation = a - b;
+// Returns the direction in which ball a leaves ball b if both are at the same position: a unit vector that depends on
+// their indices. The pair gets opposite directions, and balls of several pairs do not form a column.
+FUNCTION vec3 ballAside(int a, int b) {
+  vec3 v = signedUnits(hash3(uvec3(uint(min(a, b)), uint(max(a, b)), 0x9e3779b9u)));
+  float squared = exactDot(v, v);
+  precise float scale = exactInverseSqrt(max(squared, 1e-4f)) * (a < b ? -1.0f : 1.0f);
+  precise vec3 aside = v * scale;
+  return squared < 1e-4f ? vec3(a < b ? -1.0f : 1.0f, 0.0f, 0.0f) : aside;
+}
+
+// Returns false if balls at p and q surely do not overlap; this test needs no root.
+FUNCTION bool ballsMayOverlap(vec3 p, vec3 q, float reach) {
+  precise vec3 separation = p - q;
+  precise float squaredReach = reach * reach * 1.00001f;
+  return exactDot(separation, separation) < squaredReach;
+}
+
+// Returns the overlap of ball a at p with ball b at q.
+FUNCTION BallOverlap ballOverlap(vec3 p, vec3 q, float reach, int a, int b) {
+  precise vec3 separation = p - q;
   float squared = exactDot(separation, separation);
   bool same = squared < 1e-20f;
   float inverse = exactInverseSqrt(max(squared, 1e-20f));
   precise vec3 normal = separation * inverse;
   precise float depth = reach - squared * inverse;
   BallOverlap o;
-  o.normal = same ? vec3(0.0f, first ? -1.0f : 1.0f, 0.0f) : normal;
+  o.normal = normal;
+  if (same) o.normal = ballAside(a, b);
   o.depth = same ? reach : depth;
   return o;
 }

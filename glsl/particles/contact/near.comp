@@ -27,7 +27,7 @@ void main() {
       int near = ballsNear(here.xyz, other.xyz, reach);
       if (near == 0 || found == stepData.balls.listed) continue;
       touching += near - 1;
-      four[found & 3] = uint(j);
+      four = withWord(four, found & 3, uint(j));
       ++found;
       if ((found & 3) != 0) continue;
       STORE_WORDS(lists, ((found >> 2) - 1) * stepData.count + s, four);

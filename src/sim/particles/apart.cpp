@@ -29,14 +29,23 @@ Cell cellOf(const glm::vec4& p, float perCell) {
   return {index(p.x), index(p.y), index(p.z)};
 }
 
-/// Moves two balls apart if they overlap. Returns true if they overlapped.
-bool part(glm::vec4& a, glm::vec4& b, float reach) {
+/// Returns the direction in which the first of two balls at the same position leaves. Different pairs get
+/// different directions, so that many balls at one position do not form a column.
+glm::vec3 aside(std::size_t i, std::size_t j) {
+  const glm::vec3 v =
+      shader::signedUnits(shader::hash3({static_cast<unsigned>(i), static_cast<unsigned>(j), 0x9e3779b9U}));
+  const float squared = shader::exactDot(v, v);
+  return squared < 1e-4F ? glm::vec3(0, 1, 0) : v * shader::exactInverseSqrt(squared);
+}
+
+/// Moves balls i and j at a and b apart if they overlap. Returns true if they overlapped.
+bool part(glm::vec4& a, glm::vec4& b, float reach, std::size_t i, std::size_t j) {
   const glm::vec3 separation = glm::vec3(a) - glm::vec3(b);
   const float squared = shader::exactDot(separation, separation);
   if (squared >= reach * reach * (1 - remains)) return false;
   const bool same = squared < 1e-20F;
   const float inverse = shader::exactInverseSqrt(std::max(squared, 1e-20F));
-  const glm::vec3 normal = same ? glm::vec3(0, 1, 0) : separation * inverse;
+  const glm::vec3 normal = same ? aside(i, j) : separation * inverse;
   const glm::vec3 push = normal * (0.5F * (reach - (same ? 0.0F : squared * inverse)));
   a += glm::vec4(push, 0);
   b -= glm::vec4(push, 0);
@@ -69,7 +78,8 @@ void moveApart(ParticleCloud& cloud, const shader::BallConstants& balls) {
         if (found == cells.end()) continue;
         for (const std::size_t i : members)
           for (const std::size_t j : found->second)
-            if (i < j && part(cloud.positions[i], cloud.positions[j], radii[i] + radii[j])) overlaps = true;
+            if (i < j && part(cloud.positions[i], cloud.positions[j], radii[i] + radii[j], i, j))
+              overlaps = true;
       }
   }
 }

@@ -19,8 +19,14 @@ struct BallKey {
   gl::Out<"records"> records;
 };
 
+/// Variant of the kernels that do not handle solids.
+struct BallVariant {
+  gl::Flag<"ROLLS"> rolls;
+};
+
 struct BallGather {
   static constexpr auto file = "particles/contact/gather.comp";
+  using Variant = BallVariant;
   gl::Block<"StepBlock", shader::ParticleStep> step;
   gl::Uniform<"stamp", int> stamp;
   gl::In<"positions"> positions;
@@ -31,6 +37,8 @@ struct BallGather {
   gl::Out<"begins"> begins;
   gl::Out<"speeds"> speeds;
   gl::Out<"table"> table;
+  gl::In<"spins"> spins = {};
+  gl::Out<"nextSpins"> nextSpins = {};
 };
 
 struct BallNear {
@@ -67,6 +75,8 @@ struct BallStrike {
   gl::In<"choices"> choices;
   gl::Out<"nextPlaces"> next;
   gl::Out<"nextSpeeds"> nextSpeeds;
+  gl::In<"spins"> spins = {};
+  gl::Out<"nextSpins"> nextSpins = {};
 };
 
 struct BallSolve {
@@ -80,10 +90,14 @@ struct BallSolve {
   gl::In<"guesses"> guesses;
   gl::In<"lists"> lists;
   gl::Out<"nextPlaces"> next;
+  gl::Uniform<"perRoll", float> perRoll = {};
+  gl::In<"rolls"> rolls = {};
+  gl::Out<"nextRolls"> nextRolls = {};
 };
 
 struct BallLeave {
   static constexpr auto file = "particles/contact/leave.comp";
+  using Variant = BallVariant;
   gl::Block<"StepBlock", shader::ParticleStep> step;
   gl::In<"places"> places;
   gl::In<"begins"> begins;
@@ -94,6 +108,9 @@ struct BallLeave {
   gl::In<"records"> records;
   gl::Out<"positions"> positions;
   gl::Out<"velocities"> velocities;
+  gl::In<"rolls"> rolls = {};
+  gl::Out<"spins"> spins = {};
+  gl::InOut<"turns"> turns = {};
 };
 
 namespace {
@@ -115,7 +132,9 @@ int checked(const std::string& name, int count, int listed) {
 
 BallContact::BallContact(const std::string& name, const ParticlePlan& plan, const ParticleSolids& solids,
                          bool fast)
-    : count_(checked(name, plan.count(), plan.ballConstants().listed)),
+    : substepSeconds_(static_cast<float>(plan.substepSeconds())),
+      rolls_(plan.rolls()),
+      count_(checked(name, plan.count(), plan.ballConstants().listed)),
       impacts_(plan.ballImpacts()),
       keyBits_((std::bit_width(static_cast<unsigned>(plan.ballConstants().tableMask)) + 3) / 4 * 4),
       sort_(name + " contact order", count_) {
@@ -126,14 +145,16 @@ BallContact::BallContact(const std::string& name, const ParticlePlan& plan, cons
   for (gl::Vec4Array* array :
        {&guesses_, &begins_, &speeds_[0], &speeds_[1], &places_[0], &places_[1], &struck_})
     *array = gl::Vec4Array(name + " contact", count_);
+  if (rolls_)
+    for (gl::Vec4Array& array : turning_) array = gl::Vec4Array(name + " contact", count_);
   const gl::Defines defines = gl::kernelDefines(fast);
   key_ = gl::Kernel<BallKey>(defines);
-  gather_ = gl::Kernel<BallGather>(defines);
+  gather_ = gl::Kernel<BallGather>(defines, {rolls_});
   near_ = gl::Kernel<BallNear>(defines);
   choose_ = gl::Kernel<BallChoose>(defines);
   strike_ = gl::Kernel<BallStrike>(defines, solids);
   solve_ = gl::Kernel<BallSolve>(defines, solids);
-  leave_ = gl::Kernel<BallLeave>(defines);
+  leave_ = gl::Kernel<BallLeave>(defines, {rolls_});
 }
 
 void BallContact::search(const ParticlePart& part, const gl::Vec4Array& starts,
@@ -155,7 +176,9 @@ void BallContact::search(const ParticlePart& part, const gl::Vec4Array& starts,
                             .guesses = guesses_,
                             .begins = begins_,
                             .speeds = speeds_[0],
-                            .table = table_});
+                            .table = table_,
+                            .spins = part.spins,
+                            .nextSpins = turning_[0]});
   near_.dispatch(count_, {.step = part.step,
                           .stamp = stamp_,
                           .guesses = guesses_,
@@ -182,14 +205,18 @@ void BallContact::strike(const ParticlePart& part) {
                               .speeds = speeds_[0],
                               .choices = choices_,
                               .next = places_[0],
-                              .nextSpeeds = speeds_[1]});
+                              .nextSpeeds = speeds_[1],
+                              .spins = turning_[0],
+                              .nextSpins = turning_[1]});
+    std::swap(turning_[0], turning_[1]);
     std::swap(struck_, places_[0]);
     std::swap(speeds_[0], speeds_[1]);
   }
 }
 
 void BallContact::solve(const ParticlePart& part, const gl::Vec4Array& starts,
-                        const gl::Vec4Array& positions, const gl::Vec4Array& velocities) {
+                        const gl::Vec4Array& positions, const gl::Vec4Array& velocities,
+                        const gl::Vec4Array& turns) {
   search(part, starts, positions, velocities);
   strike(part);
   for (int i = 0; i < shader::ballIterations; ++i) {
@@ -200,7 +227,11 @@ void BallContact::solve(const ParticlePart& part, const gl::Vec4Array& starts,
                              .begins = begins_,
                              .guesses = guesses_,
                              .lists = lists_,
-                             .next = places_[1]});
+                             .next = places_[1],
+                             .perRoll = i == 0 ? substepSeconds_ : 1.0F,
+                             .rolls = turning_[0],
+                             .nextRolls = turning_[1]});
+    std::swap(turning_[0], turning_[1]);
     std::swap(places_[0], places_[1]);
   }
   leave_.dispatch(count_, {.step = part.step,
@@ -212,7 +243,10 @@ void BallContact::solve(const ParticlePart& part, const gl::Vec4Array& starts,
                            .lists = lists_,
                            .records = sort_.records(),
                            .positions = positions,
-                           .velocities = velocities});
+                           .velocities = velocities,
+                           .rolls = turning_[0],
+                           .spins = part.spins,
+                           .turns = turns});
 }
 
 }  // namespace simreel::sim

@@ -12,6 +12,7 @@ struct ParticlePart {
   gl::InOut<"StatusBlock"> status;
   gl::InOut<"positions"> positions;
   gl::InOut<"velocities"> velocities;
+  gl::InOut<"spins"> spins = {};  ///< of balls that turn
 };
 struct ParticleFields {
   gl::Switch<"ATTRACTOR"> attractor;
@@ -20,6 +21,7 @@ struct ParticleFields {
 struct ParticleSolids {
   TouchVariant touch;
   gl::Switch<"SOLIDS"> solids;  // true if there are collider shapes or meshes
+  gl::Flag<"ROLLS"> rolls;      // true for balls that turn
 };
 
 struct ParticleKick {

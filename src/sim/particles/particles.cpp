@@ -73,6 +73,15 @@ class Particles : public Simulation, public LockStep {
       savedAccelerations_ =
           gl::Buffer(name_ + " accelerations before a frame", 16 * cloud.positions.size());
     velocities_ = gl::Vec4Array(name_ + " velocities", cloud.velocities);
+    if (plan_.rolls()) {
+      const std::size_t all = cloud.positions.size();
+      spins_ = gl::Vec4Array(name_ + " spins", std::vector<glm::vec4>(all));
+      turns_ = gl::Vec4Array(name_ + " turns", std::vector<glm::vec4>(all, glm::vec4(0, 0, 0, 1)));
+    }
+    if (inContact_ && plan_.rolls()) {
+      savedSpins_ = gl::Buffer(name_ + " spins before a frame", spins_.buffer().bytes());
+      savedTurns_ = gl::Buffer(name_ + " turns before a frame", turns_.buffer().bytes());
+    }
     moving_ = {&positions_[0], &velocities_, plan_.count(), p.size, plan_.fastestAtStart(cloud)};
     accelerations_ =
         gl::Vec4Array(name_ + " accelerations", std::vector<glm::vec4>(cloud.positions.size()));
@@ -112,6 +121,9 @@ class Particles : public Simulation, public LockStep {
     steps_.upload(stepsOfFrame_);
     touch_.beginFrame(time);
     if (inContact_) copy(accelerations_.buffer(), savedAccelerations_);
+    if (!inContact_ || !plan_.rolls()) return;
+    copy(spins_.buffer(), savedSpins_);
+    copy(turns_.buffer(), savedTurns_);
   }
   void predict(int substep) override {
     gl::barrier();
@@ -119,7 +131,7 @@ class Particles : public Simulation, public LockStep {
                    {.count = plan_.count(), .starts = positions_[0], .positions = positions_[1]});
     next_ = 1;
     advance(substep);
-    if (balls_) balls_->solve(partAt(substep), positions_[0], positions_[1], velocities_);
+    if (balls_) balls_->solve(partAt(substep), positions_[0], positions_[1], velocities_, turns_);
   }
   void settle(int substep) override {
     if (!settles_) return;
@@ -133,7 +145,12 @@ class Particles : public Simulation, public LockStep {
     std::swap(positions_[0], positions_[1]);
     next_ = 0;
   }
-  void restored() override { copy(savedAccelerations_, accelerations_.buffer()); }
+  void restored() override {
+    copy(savedAccelerations_, accelerations_.buffer());
+    if (!plan_.rolls()) return;
+    copy(savedSpins_, spins_.buffer());
+    copy(savedTurns_, turns_.buffer());
+  }
   void endFrame(double /*time*/) override {
     gl::barrier();
     if (trails_) trails_->record(positions_[0], velocities_);
@@ -150,11 +167,20 @@ class Particles : public Simulation, public LockStep {
     carry.array("positions", positions_[0].buffer());
     carry.array("velocities", velocities_.buffer());
     carry.array("accelerations", accelerations_.buffer());
+    if (plan_.rolls()) {
+      carry.array("spins", spins_.buffer());
+      carry.array("turns", turns_.buffer());
+    }
     if (trails_) trails_->visitCheckpointData(carry);
   }
 
   [[nodiscard]] std::vector<StateArray> state() const override {
-    return {{"positions", &positions_[0].buffer()}, {"velocities", &velocities_.buffer()}};
+    std::vector<StateArray> all = {{"positions", &positions_[0].buffer()},
+                                   {"velocities", &velocities_.buffer()}};
+    if (!plan_.rolls()) return all;
+    all.push_back({"spins", &spins_.buffer()});
+    all.push_back({"turns", &turns_.buffer()});
+    return all;
   }
   [[nodiscard]] std::vector<double> measure() const override {
     double alive = 0, mass = 0, kinetic = 0;
@@ -210,7 +236,8 @@ class Particles : public Simulation, public LockStep {
     const ParticleFields fields = {.attractor = p.attractor.has_value(),
                                    .turbulence = p.turbulence.strength > 0};
     const bool shapes = plan_.colliderCount() > 0;
-    const ParticleSolids solids = {.touch = touch_.variant(), .solids = shapes || touch_.meshCount() > 0};
+    const ParticleSolids solids = {
+        .touch = touch_.variant(), .solids = shapes || touch_.meshCount() > 0, .rolls = plan_.rolls()};
     kick_ = gl::Kernel<ParticleKick>(defines, {.wind = solids.touch.wind, .fields = fields});
     if (attracts())
       drift_ = gl::Kernel<ParticleDrift>(defines, solids);
@@ -278,7 +305,8 @@ class Particles : public Simulation, public LockStep {
             .touch = touch_.at(substep),
             .status = status_,
             .positions = positions_[next_],
-            .velocities = velocities_};
+            .velocities = velocities_,
+            .spins = spins_};
   }
 
   [[nodiscard]] Instances instances() const {
@@ -289,6 +317,10 @@ class Particles : public Simulation, public LockStep {
     instances.capacity = plan_.count();
     instances.shape = p.shape;
     instances.mesh = p.mesh;
+    if (plan_.rolls() && p.shape == Instances::Shape::mesh) {
+      instances.turning = Instances::Turning::quaternion;
+      instances.turns = &turns_.view();
+    }
     if (p.alongVelocity) instances.turning = Instances::Turning::velocity;
     instances.size = p.size;
     instances.massExponent = p.massExponent;
@@ -309,6 +341,9 @@ class Particles : public Simulation, public LockStep {
   gl::Vec4Array positions_[2];  ///< [0] current positions; [1] positions after the substep, used only if
                                 ///< the particles touch cloths or each other
   gl::Vec4Array velocities_, accelerations_;
+  gl::Vec4Array spins_, turns_;  ///< of balls that turn: angular velocities in rad/s, and orientations as
+                                 ///< unit quaternions (x, y, z, w)
+  gl::Buffer savedSpins_, savedTurns_;  ///< the same at the start of the frame, for particles in contact
   gl::Buffer savedAccelerations_;  ///< for particles in contact: accelerations at the start of the frame
   int next_ = 0;                   ///< index into positions_ of the array that kernels read and write
   bool inContact_ = false;         ///< true if the particles collide with cloths

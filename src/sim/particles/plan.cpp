@@ -110,6 +110,7 @@ shader::BallConstants ParticlePlan::planBalls() const {
   balls.radius = p.ballRadius();
   balls.friction = p.contact->friction;
   balls.restitution = p.contact->restitution;
+  balls.rolls = p.contact->rolls ? 1 : 0;
   balls.sizeExponent = p.massExponent;
   balls.perMassReference = 1.0F / massReference();
   balls.perCell = static_cast<float>(1 / (2.11 * p.ballRadius() * scale(heaviest)));

@@ -60,6 +60,8 @@ class ParticlePlan {
     }
   }
 
+  /// Returns true if the particles are balls that turn.
+  [[nodiscard]] bool rolls() const { return parameters_.contact && parameters_.contact->rolls; }
   /// Returns the constants of contact that do not change with time.
   [[nodiscard]] const shader::BallConstants& ballConstants() const { return balls_; }
   /// Returns the most impacts of one ball in a substep. An impulse that has passed through this many pairs

@@ -44,6 +44,10 @@ ParticlesTwin compare(const sim::ParticleParameters& parameters, int frames, dou
   const auto state = gpu->state();
   CHECK(wordsUnlike(*state[0].buffer, twin.positions) == 0);
   CHECK(wordsUnlike(*state[1].buffer, twin.velocities) == 0);
+  if (state.size() > 2) {
+    CHECK(wordsUnlike(*state[2].buffer, twin.spins) == 0);
+    CHECK(wordsUnlike(*state[3].buffer, twin.turns) == 0);
+  }
   double travelled = 0;
   for (std::size_t i = 0; i < before.size(); ++i)
     travelled += glm::abs(before[i].x - twin.positions[i].x) + glm::abs(before[i].y - twin.positions[i].y);
@@ -151,8 +155,26 @@ TEST_CASE("particles: balls in contact equal the CPU twin") {
   SUBCASE("that attract each other") {
     p.method = sim::GravityMethod::allPairs;
   }
-  const auto twin = compare(p, 30);
+  SUBCASE("that roll") {
+    p.contact->rolls = true;
+    p.collides = true;
+    addEmitters(p);
+  }
+  SUBCASE("that attract each other and roll") {
+    p.contact->rolls = true;
+    p.method = sim::GravityMethod::allPairs;
+  }
+  Colliders colliders(p.collides ? 1 : 0);
+  for (sim::ColliderShape& plane : colliders) {
+    plane.kind = sim::ColliderShape::Kind::plane;
+    plane.position = glm::vec3(0, -0.1F, 0);
+    plane.friction = 0.5;
+  }
+  const auto twin = compare(p, 30, 0, colliders);
   CHECK(twin.plan().parameters().substeps == 3);
+  float fastest = 0;
+  for (const glm::vec4& spin : twin.spins) fastest = std::max(fastest, glm::length(glm::vec3(spin)));
+  CHECK((fastest > 1) == p.contact->rolls);
 }
 
 TEST_CASE("particles: tree and fast numerics place newborn particles like exact pairs") {

@@ -1,9 +1,7 @@
 // Tests contact of particles with each other through closed forms, conserved quantities and heaps. Uses the
 // CPU twin, which equals the GPU bit for bit. All tests of this file take 6 s.
 #include "base/error.hpp"
-#include "reference/particles_twin.hpp"
-#include "scene/load.hpp"
-#include "sim/world/list.hpp"
+#include "unit/sim/balls_help.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,114 +14,38 @@
 
 using namespace simreel;
 
-namespace balls {
+namespace balls_friction {
 
-constexpr double frame = 1.0 / 60;
+constexpr double gravity = 9.81;
 
-struct Ball {
-  glm::vec3 position, velocity;
-  float mass = 1;
+/// A plane through the origin that falls towards +x at `degrees`, and the directions along and off it.
+struct Slope {
+  double degrees, friction;
+  [[nodiscard]] double radians() const { return degrees * M_PI / 180; }
+  [[nodiscard]] glm::vec3 along() const { return {std::cos(radians()), -std::sin(radians()), 0}; }
+  [[nodiscard]] glm::vec3 off() const { return {std::sin(radians()), std::cos(radians()), 0}; }
+  [[nodiscard]] std::vector<sim::ColliderShape> plane() const {
+    auto planes = balls::box(0, friction);
+    planes[0].rotation = glm::vec3(0, 0, -degrees);
+    return planes;
+  }
+  /// Returns the acceleration of a block along the slope in m/s^2 (Coulomb).
+  [[nodiscard]] double acceleration() const {
+    return gravity * std::max(0.0, std::sin(radians()) - friction * std::cos(radians()));
+  }
 };
 
-sim::ParticleParameters parametersOf(int count, float restitution, float friction = 0) {
-  sim::ParticleParameters p;
-  p.method = sim::GravityMethod::none;
-  p.groups.emplace_back().count = count;
-  p.contact.emplace();
-  p.contact->radius = 0.05F;
-  p.contact->restitution = restitution;
-  p.contact->friction = friction;
-  p.substeps = 16;
+sim::ParticleParameters onSlope(int count, double friction) {
+  sim::ParticleParameters p = balls::parametersOf(count, 0, static_cast<float>(friction));
+  p.acceleration = glm::vec3(0, -gravity, 0);
+  p.autoSubsteps = true;
+  p.collides = true;
+  p.bounce = 0;
+  p.margin = 0.05F;
   return p;
 }
 
-ParticlesTwin placed(const std::vector<Ball>& all, const sim::ParticleParameters& p) {
-  ParticlesTwin twin(sim::ParticlePlan(p, 1, frame));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    twin.positions[i] = glm::vec4(all[i].position, all[i].mass);
-    twin.velocities[i] = glm::vec4(all[i].velocity, 0);
-  }
-  return twin;
-}
-
-void run(ParticlesTwin& twin, int frames) {
-  for (int i = 0; i < frames; ++i) twin.step(i * frame);
-}
-
-glm::dvec3 momentumOf(const ParticlesTwin& twin) {
-  glm::dvec3 sum(0);
-  for (std::size_t i = 0; i < twin.positions.size(); ++i)
-    sum += static_cast<double>(twin.positions[i].w) * glm::dvec3(twin.velocities[i]);
-  return sum;
-}
-
-double energyOf(const ParticlesTwin& twin) {
-  double sum = 0;
-  for (std::size_t i = 0; i < twin.positions.size(); ++i) {
-    const glm::dvec3 v(twin.velocities[i]);
-    sum += 0.5 * twin.positions[i].w * glm::dot(v, v);
-  }
-  return sum;
-}
-
-/// Returns a floor and, if `half` is positive, four walls at this distance from the axis.
-std::vector<sim::ColliderShape> box(float half, double friction) {
-  std::vector<sim::ColliderShape> planes(half > 0 ? 5 : 1);
-  for (sim::ColliderShape& plane : planes) {
-    plane.kind = sim::ColliderShape::Kind::plane;
-    plane.position = glm::vec3(0);
-    plane.rotation = glm::vec3(0);
-    plane.friction = friction;
-  }
-  for (std::size_t i = 1; i < planes.size(); ++i) {
-    const float side = i % 2 == 1 ? 1.0F : -1.0F;
-    planes[i].position = i < 3 ? glm::vec3(side * half, 0, 0) : glm::vec3(0, 0, side * half);
-    planes[i].rotation = i < 3 ? glm::vec3(0, 0, 90 * side) : glm::vec3(-90 * side, 0, 0);
-  }
-  return planes;
-}
-
-/// Drops `count` balls from a lattice that is `wide` balls wide. Returns the twin after `frames` frames.
-ParticlesTwin heap(int count, int wide, float friction, float half, int frames) {
-  sim::ParticleParameters p = parametersOf(count, 0.2F, friction);
-  p.acceleration = glm::vec3(0, -9.81F, 0);
-  p.autoSubsteps = true;
-  p.collides = true;
-  p.bounce = 0.2F;
-  p.margin = 0.05F;
-  ParticlesTwin twin(sim::ParticlePlan(p, 1, frame, 1 << 20, box(half, friction)));
-  for (int i = 0; i < count; ++i) {
-    const int layer = i / (wide * wide);
-    const auto across = [&](int k, int shift) {
-      return (static_cast<float>(k) + 0.3F * static_cast<float>(layer % shift) -
-              0.5F * static_cast<float>(wide - 1)) *
-             0.103F;
-    };
-    twin.positions[static_cast<std::size_t>(i)] = glm::vec4(
-        across(i % wide, 2), 0.05F + 0.095F * static_cast<float>(layer), across(i / wide % wide, 3), 1);
-    twin.velocities[static_cast<std::size_t>(i)] = glm::vec4(0);
-  }
-  run(twin, frames);
-  return twin;
-}
-
-/// Returns the deepest overlap of two balls, as a fraction of the radius.
-double deepest(const ParticlesTwin& twin) {
-  double maximum = 0;
-  for (std::size_t i = 0; i < twin.positions.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const glm::dvec3 separation = glm::dvec3(twin.positions[i]) - glm::dvec3(twin.positions[j]);
-      maximum = std::max(maximum, (0.1 - glm::length(separation)) / 0.05);
-    }
-  return maximum;
-}
-
-scene::Scene parsedScene(const std::string& object) {
-  return scene::parseScene("{\"version\": 1, \"objects\": {\"cloud\": {\"particles\": " + object + "}}}",
-                           "test.json", {}, sim::kinds());
-}
-
-}  // namespace balls
+}  // namespace balls_friction
 
 TEST_CASE("balls: an elastic head-on impact exchanges velocities by the closed form") {
   for (const float mass : {1.0F, 3.0F, 50.0F}) {
@@ -210,6 +132,16 @@ TEST_CASE("balls: an approach that is too slow for an impact ends") {
   CHECK(std::abs(twin.velocities[0].x) < 0.02F * slow);
 }
 
+TEST_CASE("balls: an approach that is too slow for an impact ends in the substep in which they touch") {
+  sim::ParticleParameters p = balls::parametersOf(2, 0.5F);
+  p.acceleration = glm::vec3(0, -9.81F, 0);
+  const float slow = 2.9F * 9.81F / 960;
+  auto twin = balls::placed({{{-0.10001F, 0, 0}, {slow, 0, 0}, 1}, {{0, 0, 0}, {0, 0, 0}, 1000}}, p);
+  twin.beginFrame(0);
+  twin.predict(0);
+  CHECK(std::abs(twin.velocities[0].x) < 0.02F * slow);
+}
+
 TEST_CASE("balls: a cradle sends out as many balls as come in, with gaps and without") {
   for (const float gap : {0.0F, 0.002F})
     for (const int in : {1, 2}) {
@@ -225,6 +157,67 @@ TEST_CASE("balls: a cradle sends out as many balls as come in, with gaps and wit
         CHECK(std::abs(twin.velocities[static_cast<std::size_t>(i)].x - (i < 5 - in ? 0.0F : 1.0F)) <
               1e-3F);
     }
+}
+
+TEST_CASE("balls: a ball without rotation slides above the angle of friction, and rests below") {
+  for (const double friction : {0.2, 0.5})
+    for (const double beyond : {-3.0, -0.5, 0.5, 3.0, 15.0}) {
+      const balls_friction::Slope slope{std::atan(friction) * 180 / M_PI + beyond, friction};
+      CAPTURE(slope.degrees);
+      ParticlesTwin twin(
+          sim::ParticlePlan(balls_friction::onSlope(1, friction), 1, balls::frame, 1 << 20, slope.plane()));
+      const glm::vec3 start = slope.off() * 0.05F;
+      twin.positions[0] = glm::vec4(start, 1);
+      balls::run(twin, 30);
+      const double way = glm::dot(glm::vec3(twin.positions[0]) - start, slope.along());
+      CHECK(std::abs(way - 0.125 * slope.acceleration()) < 1e-5 + 0.004 * 0.125 * slope.acceleration());
+      CHECK(std::abs(glm::length(glm::vec3(twin.velocities[0])) - 0.5 * slope.acceleration()) < 1e-3);
+    }
+}
+
+// Friction between the balls keeps the block together; friction of the slope acts on the lowest layer.
+TEST_CASE("balls: a block of balls slides like one body above the angle of friction, and rests below") {
+  for (const double beyond : {-4.0, 6.0}) {
+    const balls_friction::Slope slope{std::atan(0.3) * 180 / M_PI + beyond, 0.3};
+    CAPTURE(slope.degrees);
+    sim::ParticleParameters p = balls_friction::onSlope(14, 0.3);
+    p.contact->friction = 0.8F;
+    ParticlesTwin twin(sim::ParticlePlan(p, 1, balls::frame, 1 << 20, slope.plane()));
+    // Nine balls in a square carry four in its gaps, which carry one.
+    std::vector<glm::vec3> places;
+    for (int layer = 0; layer < 3; ++layer)
+      for (int i = 0; i < (3 - layer) * (3 - layer); ++i) {
+        const float side = 0.5F * static_cast<float>(2 - layer);
+        const float x = static_cast<float>(i % (3 - layer)) - side,
+                    z = static_cast<float>(i / (3 - layer)) - side;
+        places.push_back(slope.along() * (0.1F * x) + glm::vec3(0, 0, 0.1F * z) +
+                         slope.off() * (0.05F + 0.0707107F * static_cast<float>(layer)));
+      }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      twin.positions[i] = glm::vec4(places[i], 1);
+      twin.velocities[i] = glm::vec4(0);
+    }
+    balls::run(twin, 30);
+    double way = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      way += glm::dot(glm::vec3(twin.positions[i]) - places[i], slope.along()) / 14;
+    CAPTURE(way);
+    CHECK(std::abs(way - 0.125 * slope.acceleration()) < 0.001 + 0.05 * 0.125 * slope.acceleration());
+  }
+}
+
+TEST_CASE("balls: each impact of a touching cradle passes on (1 + e) / 2 of the speed") {
+  for (const float e : {0.9F, 0.5F}) {
+    std::vector<balls::Ball> row;
+    for (int i = 0; i < 5; ++i)
+      row.push_back(
+          {{(i == 0 ? -0.1F : 0) + 0.1F * static_cast<float>(i), 0, 0}, {i == 0 ? 1.0F : 0, 0, 0}});
+    auto twin = balls::placed(row, balls::parametersOf(5, e));
+    balls::run(twin, 12);
+    CHECK(twin.velocities[4].x == doctest::Approx(std::pow(0.5 + 0.5 * e, 4)).epsilon(1e-4));
+    CHECK(balls::momentumOf(twin).x == doctest::Approx(1).epsilon(1e-4));
+    for (std::size_t i = 0; i < 4; ++i) CHECK(twin.velocities[i].x < twin.velocities[i + 1].x);
+  }
 }
 
 TEST_CASE("balls: an elastic gas keeps its momentum and its energy") {

@@ -4,6 +4,7 @@
 #include "reference/garment_twin.hpp"
 #include "reference/particles_twin.hpp"
 #include "unit/help.hpp"
+#include "unit/sim/balls_help.hpp"
 #include "unit/sim/collide_help.hpp"
 
 #include <algorithm>
@@ -14,6 +15,59 @@
 #include <doctest/doctest.h>
 
 using namespace simreel;
+
+namespace balls_solids {
+
+sim::ColliderShape sphereBelow(float radius) {
+  sim::ColliderShape sphere;
+  sphere.kind = sim::ColliderShape::Kind::sphere;
+  sphere.position = glm::vec3(0, -radius, 0);
+  sphere.radius = radius;
+  sphere.friction = 0.4F;
+  return sphere;
+}
+
+sim::ParticleParameters falling(int count, float radius) {
+  sim::ParticleParameters p = balls::parametersOf(count, 0.3F, 0.4F);
+  p.contact->radius = radius;
+  p.acceleration = glm::vec3(0, -9.81F, 0);
+  p.autoSubsteps = true;
+  p.collides = true;
+  p.bounce = 0.2F;
+  p.margin = radius;
+  return p;
+}
+
+/// Returns a bucket without a lid as OBJ text: a floor and four walls of the thickness 0.06 m around the
+/// space |x|, |z| < `half`, 0 < y < `height`.
+std::string bucketObj(double half, double height) {
+  constexpr double thick = 0.06;
+  const double out = half + thick;
+  std::string text;
+  const auto add = [&](const glm::dvec3& low, const glm::dvec3& high) {
+    const glm::dvec3 middle = 0.5 * (low + high), extent = 0.5 * (high - low);
+    const auto vertices = static_cast<int>(std::count(text.begin(), text.end(), 'v'));
+    for (int i = 0; i < 8; ++i)
+      text += fmt::format("v {} {} {}\n", middle.x + ((i & 1) != 0 ? extent.x : -extent.x),
+                          middle.y + ((i & 2) != 0 ? extent.y : -extent.y),
+                          middle.z + ((i & 4) != 0 ? extent.z : -extent.z));
+    const int quads[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                             {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+    for (const auto& q : quads)
+      text += fmt::format("f {} {} {} {}\n", q[0] + vertices, q[1] + vertices, q[2] + vertices,
+                          q[3] + vertices);
+  };
+  // The walls reach into each other and into the floor, because closed parts must not share an edge.
+  constexpr double in = 0.02;
+  add({-out - in, -thick, -out - in}, {out + in, 0, out + in});
+  add({-out, -in, -out}, {-half, height, out});
+  add({half, -in, -out}, {out, height, out});
+  add({-half - in, -in - 0.01, -out + 0.01}, {half + in, height - 0.01, -half});
+  add({-half - in, -in - 0.01, half}, {half + in, height - 0.01, out - 0.01});
+  return text;
+}
+
+}  // namespace balls_solids
 
 namespace {
 
@@ -199,4 +253,75 @@ TEST_CASE("collide: cloth of any material does not sink into a mesh torus") {
     const double thickness = p.fabric->constants().thickness;
     settle(GarmentTwin(sim::GarmentPlan("disc", p, 5, meshFrame, {})), 0.01 + 0.5 * thickness);
   }
+}
+
+// Balls at one position once left it as a column 11 m high, at 12 m/s.
+TEST_CASE("balls: balls at one position above a ball or the ground part sideways, without a throw") {
+  for (const bool sphere : {false, true}) {
+    CAPTURE(sphere);
+    const auto p = balls_solids::falling(60, 0.05F);
+    const auto solids = sphere ? std::vector{balls_solids::sphereBelow(0.3F)} : balls::box(0, 0.4);
+    ParticlesTwin twin(sim::ParticlePlan(p, 1, balls::frame, 1 << 20, solids));
+    for (glm::vec4& place : twin.positions) place = glm::vec4(0, 0.06F, 0, 1);
+    for (glm::vec4& velocity : twin.velocities) velocity = glm::vec4(0);
+    float fastest = 0, highest = 0, nearest = 1;
+    for (int frame = 0; frame < 15; ++frame) {
+      twin.step(frame * balls::frame);
+      for (std::size_t i = 0; i < twin.positions.size(); ++i) {
+        const glm::vec3 place(twin.positions[i]);
+        fastest = std::max(fastest, glm::length(glm::vec3(twin.velocities[i])));
+        highest = std::max(highest, place.y);
+        nearest = std::min(nearest, sphere ? glm::distance(place, glm::vec3(0, -0.3F, 0)) - 0.3F : place.y);
+      }
+    }
+    CHECK(nearest > 0.0499F);
+    CHECK(highest < 0.5F);
+    CHECK(fastest < 3);
+    CHECK(balls::deepest(twin) < 0.02);
+  }
+}
+
+TEST_CASE("balls: balls that start at one position are moved apart in all directions") {
+  sim::ParticleParameters p = balls_solids::falling(40, 0.05F);
+  p.groups[0].shape = sim::ParticleGroup::Shape::ball;
+  p.groups[0].radius = 1e-7F;
+  const auto cloud = sim::ParticlePlan(p, 1, balls::frame).firstCloud();
+  for (const int axis : {0, 1, 2}) {
+    float low = 0, high = 0;
+    for (const glm::vec4& place : cloud.positions) {
+      low = std::min(low, place[axis]);
+      high = std::max(high, place[axis]);
+    }
+    CHECK(high - low > 0.2F);
+    CHECK(high - low < 0.8F);
+  }
+}
+
+TEST_CASE("balls: of 500 balls poured into a bucket, none passes its walls or its floor") {
+  constexpr float radius = 0.04F, half = 0.3F;
+  constexpr int count = 500;
+  const test::TemporaryFile file("bucket.obj", balls_solids::bucketObj(half, 1.1));
+  const auto scene = test::parsedScene(
+      test::meshObject(fmt::format(R"("shape": "file", "file": "{}")", file.path().string())));
+  auto p = balls_solids::falling(count, radius);
+  p.autoSubsteps = false;
+  p.substeps = 8;
+  ParticlesTwin twin(sim::ParticlePlan(p, 1, balls::frame));
+  twin.meshes.emplace(sim::MeshColliderPlan(scene, 0.08));
+  for (int i = 0; i < count; ++i) {
+    const auto s = static_cast<std::size_t>(i);
+    const glm::vec3 shift = shader::signedUnits(shader::hash3({static_cast<unsigned>(i), 4, 2})) * 0.008F;
+    twin.positions[s] = glm::vec4(glm::vec3(i % 6 - 2.5F, i / 36, i / 6 % 6 - 2.5F) * 0.082F + shift, 1);
+    twin.positions[s].y += 0.15F;
+    twin.velocities[s] = glm::vec4(0, -3, 0, 0);
+  }
+  float nearest = 1;
+  for (int frame = 0; frame < 200; ++frame) {
+    twin.step(frame * balls::frame);
+    for (const glm::vec4& place : twin.positions)
+      nearest = std::min({nearest, place.y, half - std::abs(place.x), half - std::abs(place.z)});
+  }
+  CHECK(nearest > 0.9F * radius);
+  CHECK(balls::deepest(twin) < 0.5);
+  for (const glm::vec4& place : twin.positions) CHECK(place.y < 1.1F);
 }
