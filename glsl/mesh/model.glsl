@@ -68,10 +68,10 @@ FUNCTION vec2 trailAt(vec3 rest) {
 }
 
 // Moves a point down by the depth of the print, and up by the height of the rim beside it. The rim vanishes where the
-// depth reaches half of the rim's height.
+// depth reaches twice the rim's height, so that its inner side is wider than a cell, also in prints of balls.
 FUNCTION vec3 pressed(vec3 rest, vec3 p) {
   vec2 print_ = trailAt(rest);
-  precise float rim = print_.y - print_.x * 2.0f;
+  precise float rim = print_.y - print_.x * 0.5f;
   rim = max(rim, 0.0f);
   precise float y = p.y + (rim - print_.x);
   return vec3(p.x, y, p.z);

@@ -185,7 +185,7 @@ TEST_CASE(
                 for (int column = 0; column < cells.x; ++column)
                   sum += dvec2(trail[static_cast<std::size_t>(row * cells.x + column)]) *
                          std::max(1 - std::abs(x - column), 0.0) * std::max(1 - std::abs(z - row), 0.0);
-              const double rim = sum.y - 2 * sum.x;
+              const double rim = sum.y - 0.5 * sum.x;
               raised += rim > 0 ? 1 : 0;
               return p + dvec3(0, std::max(rim, 0.0) - sum.x, 0);
             },
