@@ -207,9 +207,7 @@ void BallParameters::describe(scene::Fields& f) {
   f.number("friction", friction, {0, 10}, "", "Coulomb coefficient of friction between particles.");
   f.number("restitution", restitution, {0, 1}, "",
            "Fraction of the approach speed with which two particles part.");
-  if (f.version() > 1) rolls = true;
   f.boolean("rolls", rolls, "Lets friction turn the balls, so that they roll; meshes turn with them.");
-  f.leftOut("rolls", "false, or true in version 2");
 }
 
 void ParticleParameters::describeContact(scene::Fields& f) {

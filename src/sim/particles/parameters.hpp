@@ -79,7 +79,7 @@ struct BallParameters {
   float radius = 0.0F;  ///< radius in metres; if 0, half of the drawn size
   float friction = 0.4F;
   float restitution = 0.3F;
-  bool rolls = false;  ///< true if balls turn; the default of version 2
+  bool rolls = false;  ///< true if balls turn
   void describe(scene::Fields& fields);
 };
 
