@@ -2,6 +2,7 @@
 
 #include "api/failure.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <dlfcn.h>
 #include <utility>
@@ -10,6 +11,20 @@
 #include <fmt/format.h>
 
 namespace simreel::api {
+
+/// Copy of rows between two places, CUDA_MEMCPY2D of the driver.
+struct Cuda::RowCopy {
+  struct Place {
+    std::size_t x = 0, y = 0;
+    int memoryType = 2;  // CU_MEMORYTYPE_DEVICE
+    void* host = nullptr;
+    std::uint64_t device = 0;
+    void* array = nullptr;
+    std::size_t pitch = 0;
+  };
+  Place from, to;
+  std::size_t width = 0, height = 0;
+};
 
 /// Functions of the CUDA driver (NVIDIA, "CUDA Driver API"), by the names of their present versions.
 /// Results are 0 for success.
@@ -23,7 +38,7 @@ struct Cuda::Functions {
   int (*synchronize)();
   int (*allocate)(std::uint64_t* memory, std::size_t bytes);
   int (*freeMemory)(std::uint64_t memory);
-  int (*copy)(std::uint64_t to, std::uint64_t from, std::size_t bytes);
+  int (*copyRows)(const RowCopy* copy);
   int (*registerBuffer)(void** resource, unsigned buffer, unsigned flags);
   int (*unregister)(void* resource);
   int (*map)(unsigned count, void** resources, void* stream);
@@ -97,7 +112,7 @@ void Cuda::open() {
       find(library_, "cuDevicePrimaryCtxRelease_v2", f.release) &&
       find(library_, "cuCtxPushCurrent_v2", f.push) && find(library_, "cuCtxPopCurrent_v2", f.pop) &&
       find(library_, "cuCtxSynchronize", f.synchronize) && find(library_, "cuMemAlloc_v2", f.allocate) &&
-      find(library_, "cuMemFree_v2", f.freeMemory) && find(library_, "cuMemcpyDtoD_v2", f.copy) &&
+      find(library_, "cuMemFree_v2", f.freeMemory) && find(library_, "cuMemcpy2DUnaligned_v2", f.copyRows) &&
       find(library_, "cuGraphicsGLRegisterBuffer", f.registerBuffer) &&
       find(library_, "cuGraphicsUnregisterResource", f.unregister) &&
       find(library_, "cuGraphicsMapResources", f.map) &&
@@ -138,9 +153,22 @@ void Cuda::free(std::uint64_t memory) const noexcept {
   functions_->pop(&previous);
 }
 
-std::shared_ptr<void> Cuda::copyOf(const gl::Buffer& buffer, std::size_t offset, std::size_t bytes) {
+std::shared_ptr<void> Cuda::allocate(std::size_t bytes) {
+  std::uint64_t memory = 0;
+  require(functions_->allocate(&memory, bytes), "a copy of a state array does not fit on the card");
+  return {std::bit_cast<void*>(static_cast<std::uintptr_t>(memory)),
+          [owner = shared_from_this(), memory](void*) { owner->free(memory); }};
+}
+
+std::shared_ptr<void> Cuda::copyOf(const gl::Buffer& buffer, const std::vector<DeviceRows>& blocks) {
   const Functions& f = *functions_;
-  const PlainCopy plain(buffer, offset, bytes);
+  std::size_t begin = SIZE_MAX, end = 0, pitch = 0;
+  for (const DeviceRows& rows : blocks) {
+    begin = std::min(begin, rows.offset);
+    end = std::max(end, rows.offset + (rows.count - 1) * rows.pitch + rows.width);
+    pitch += rows.width;
+  }
+  const PlainCopy plain(buffer, begin, end - begin);
   require(f.push(context_), "a state array cannot be copied on the card");
   const AtEnd popped([&] {
     void* previous = nullptr;
@@ -151,15 +179,25 @@ std::shared_ptr<void> Cuda::copyOf(const gl::Buffer& buffer, std::size_t offset,
   const AtEnd unregistered([&] { f.unregister(resource); });
   require(f.map(1, &resource, nullptr), "an OpenGL buffer cannot be mapped");
   const AtEnd unmapped([&] { f.unmap(1, &resource, nullptr); });
-  std::uint64_t from = 0, memory = 0;
+  std::uint64_t from = 0;
   std::size_t mapped = 0;
   require(f.pointer(&from, &mapped, resource), "an OpenGL buffer has no address");
-  require(f.allocate(&memory, bytes), "a copy of a state array does not fit on the card");
-  std::shared_ptr<void> held(std::bit_cast<void*>(static_cast<std::uintptr_t>(memory)),
-                             [owner = shared_from_this(), memory](void*) { owner->free(memory); });
-  require(f.copy(memory, from, bytes), "a state array cannot be copied on the card");
+  std::shared_ptr<void> made = allocate(pitch * blocks.front().count);
+  std::uint64_t to = std::bit_cast<std::uintptr_t>(made.get());
+  for (const DeviceRows& rows : blocks) {
+    RowCopy copy;
+    copy.from.device = from + rows.offset - begin;
+    copy.from.pitch = rows.pitch;
+    copy.to.device = to;
+    copy.to.pitch = pitch;
+    const bool dense = rows.pitch == pitch;  // then all rows are one
+    copy.width = dense ? rows.width * rows.count : rows.width;
+    copy.height = dense ? 1 : rows.count;
+    require(f.copyRows(&copy), "a state array cannot be copied on the card");
+    to += rows.width;
+  }
   require(f.synchronize(), "a state array cannot be copied on the card");
-  return held;
+  return made;
 }
 
 }  // namespace simreel::api

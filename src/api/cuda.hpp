@@ -5,8 +5,17 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace simreel::api {
+
+/// Block of equal rows that a copy takes from a buffer. Rows are `pitch` bytes apart in the buffer.
+struct DeviceRows {
+  std::size_t offset = 0;  ///< bytes from the start of the buffer to the first row
+  std::size_t pitch = 0;
+  std::size_t width = 0;  ///< bytes of a row
+  std::size_t count = 0;  ///< number of rows
+};
 
 /// The CUDA driver, opened at run time, on the card of the current OpenGL context. It uses the card's
 /// primary context, as PyTorch and JAX do. All functions but free() run on the thread of the OpenGL
@@ -23,15 +32,18 @@ class Cuda : public std::enable_shared_from_this<Cuda> {
   [[nodiscard]] const std::string& problem() const { return problem_; }
   /// Returns the number of the card among the CUDA devices.
   [[nodiscard]] int device() const { return device_; }
-  /// Copies a part of a buffer into new CUDA memory, which is freed with its last owner on any thread.
-  /// Waits for the copy. Throws Error(device).
-  [[nodiscard]] std::shared_ptr<void> copyOf(const gl::Buffer& buffer, std::size_t offset,
-                                             std::size_t bytes);
+  /// Copies blocks of equally many rows from a buffer into new CUDA memory, in which row i of every block
+  /// follows row i of the block before, without gaps. The memory is freed with its last owner on any
+  /// thread. Waits for the copy. Throws Error(device).
+  [[nodiscard]] std::shared_ptr<void> copyOf(const gl::Buffer& buffer,
+                                             const std::vector<DeviceRows>& blocks);
 
  private:
+  struct RowCopy;
   struct Functions;
   void open();
   void free(std::uint64_t memory) const noexcept;
+  [[nodiscard]] std::shared_ptr<void> allocate(std::size_t bytes);
   void require(int result, const char* what) const;
 
   void* library_ = nullptr;
