@@ -279,8 +279,8 @@ std::optional<DeviceArray> Scene::State::readOnDevice(std::string_view object, s
     return made;
   }
   const std::size_t width = product(found->shape) * bytesOf(found->number);
-  made.memory = cuda.copyOf(
-      *state.buffer, {{layout.offset + found->offset, layout.stride, width, product(layout.shape)}});
+  made.memory = cuda.copyOf(*state.buffer,
+                            {{layout.offset + found->offset, layout.stride, width, product(layout.shape)}});
   return made;
 }
 

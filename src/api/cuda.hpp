@@ -30,6 +30,9 @@ class Cuda : public std::enable_shared_from_this<Cuda> {
 
   /// Returns why CUDA cannot be used; empty if it can.
   [[nodiscard]] const std::string& problem() const { return problem_; }
+  /// Releases what depends on the OpenGL context. Must be called before that context is destroyed. Copies
+  /// remain.
+  void close() noexcept;
   /// Returns the number of the card among the CUDA devices.
   [[nodiscard]] int device() const { return device_; }
   /// Copies blocks of equally many rows from a buffer into new CUDA memory, in which row i of every block
@@ -44,6 +47,9 @@ class Cuda : public std::enable_shared_from_this<Cuda> {
   void open();
   void free(std::uint64_t memory) const noexcept;
   [[nodiscard]] std::shared_ptr<void> allocate(std::size_t bytes);
+  void dropStaging() noexcept;
+  void stage(const gl::Buffer& buffer, std::size_t offset, std::size_t bytes);
+  void copyRows(std::uint64_t to, std::uint64_t from, std::size_t pitch, const DeviceRows& rows) const;
   void require(int result, const char* what) const;
 
   void* library_ = nullptr;
@@ -51,6 +57,14 @@ class Cuda : public std::enable_shared_from_this<Cuda> {
   void* context_ = nullptr;
   int device_ = 0;
   std::string problem_;
+  /// OpenGL buffer that CUDA has registered. State goes through it, because memory that comes from Vulkan
+  /// cannot be registered. It stays as large as the largest copied array, because registering takes 1 ms.
+  struct Staging {
+    unsigned buffer = 0;
+    std::size_t bytes = 0;
+    void* resource = nullptr;
+  };
+  Staging staging_;
 };
 
 }  // namespace simreel::api
