@@ -147,7 +147,8 @@ class Warnings(ModuleCase):
         source = ("#pragma kernel Step\nRWTexture2D<float> _Cells;\nfloat _Zero;\n[numthreads(8, 8, 1)]\n"
                   "void Step(uint3 id : SV_DispatchThreadID) { float n = _Cells[id.xy] + 1; _Cells[id.xy] = n > 2.5 ? n / _Zero : n; }\n")
         scene = simreel.Scene(objects={"a": {"kernels": {"source": source, "textures": {"_Cells": [8, 8]}, "step": ["Step"],
-                                                         "field": {"of": "_Cells", "show": "r"}, "nonFinite": "warn"}}})
+                                                         "constants": {"_Zero": 0}, "nonFinite": "warn",
+                                                         "field": {"of": "_Cells", "show": "r"}}}})
         self.addCleanup(scene.close)
         for number in range(1, 5):
             with warnings.catch_warnings(record=True) as caught:
