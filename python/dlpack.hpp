@@ -53,8 +53,9 @@ inline pybind11::capsule dlpackCapsule(simreel::DeviceArray array) {
                                                                : 4;
   auto owned = std::make_unique<DlOwned>();
   owned->shape.assign(array.shape.begin(), array.shape.end());
-  for (const std::size_t stride : array.strides)
-    owned->strides.push_back(static_cast<std::int64_t>(stride) / bytes);
+  owned->strides.assign(owned->shape.size(), 1);
+  for (std::size_t i = owned->shape.size(); i-- > 1;)
+    owned->strides[i - 1] = owned->strides[i] * owned->shape[i];
   owned->array = std::move(array);
   DlTensor& tensor = owned->managed.tensor;
   tensor.data = owned->array.memory.get();
@@ -66,7 +67,7 @@ inline pybind11::capsule dlpackCapsule(simreel::DeviceArray array) {
   tensor.lanes = 1;
   tensor.shape = owned->shape.data();
   tensor.strides = owned->strides.data();
-  tensor.byteOffset = owned->array.offset;
+  tensor.byteOffset = 0;
   owned->managed.owner = owned.get();
   owned->managed.destroy = [](DlManagedTensor* self) { delete static_cast<DlOwned*>(self->owner); };
   const auto forget = [](PyObject* capsule) {

@@ -117,6 +117,8 @@ const char* nameOf(simreel::ErrorKind kind) {
       return "usage";
     case Kind::device:
       return "device";
+    case Kind::different:
+      return "different";
     case Kind::inputOutput:
       return "inputOutput";
     case Kind::process:
@@ -305,6 +307,44 @@ void addState(py::class_<Held>& type) {
       });
 }
 
+/// Renders to files and returns their names. `onFrames`: function that gets the number of frames before the
+/// first one, and 0 for each; or None.
+std::string render(const Held& held, const std::string& output, const py::dict& values,
+                   const py::object& onFrames) {
+  const auto scene = held.get();
+  simreel::RenderOptions options;
+  options.frames = values["frames"].cast<std::optional<std::string>>();
+  options.existing = values["resume"].cast<bool>()      ? simreel::Existing::resume
+                     : values["overwrite"].cast<bool>() ? simreel::Existing::overwrite
+                                                        : simreel::Existing::error;
+  options.manifest = values["manifest"].cast<bool>();
+  options.fields = values["fields"].cast<std::optional<std::string>>();
+  options.layers = values["layers"].cast<std::vector<std::string>>();
+  options.bits = values["bits"].cast<std::optional<int>>();
+  std::exception_ptr failure;
+  const auto tell = [&](int frames) {
+    if (failure || ending) return;
+    const py::gil_scoped_acquire acquire;
+    try {
+      onFrames(frames);
+    } catch (...) {
+      failure = std::current_exception();
+      device()->interrupt();
+    }
+  };
+  simreel::RenderEvents events;
+  if (!onFrames.is_none()) {
+    events.start = tell;
+    events.frame = [&](int /*number*/, const simreel::StageTimes& /*times*/) { tell(0); };
+  }
+  try {
+    return unlocked([&] { return scene->render(output, options, events); }).files;
+  } catch (const simreel::Error&) {
+    if (!failure) throw;
+  }
+  std::rethrow_exception(failure);
+}
+
 void addScene(py::module_& module) {
   using simreel::Scene;
   py::class_<simreel::Snapshot>(module, "Snapshot")
@@ -364,11 +404,7 @@ void addScene(py::module_& module) {
            })
       .def("layers", layers)
       .def("check", check)
-      .def("render", [](const Held& held, const std::string& output, std::optional<std::string> frames,
-                        bool overwrite, bool manifest) {
-        const auto scene = held.get();
-        return unlocked([&] { return scene->render(output, {std::move(frames), overwrite, manifest}); });
-      });
+      .def("render", render);
 }
 
 py::bytes encodePng(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {

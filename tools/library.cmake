@@ -7,7 +7,7 @@ target_link_options(simreel_api PRIVATE -Wl,--exclude-libs,ALL)
 target_include_directories(simreel_api PUBLIC $<BUILD_INTERFACE:${SIMREEL_HEADERS}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(simreel_api INTERFACE cxx_std_20)
 set_target_properties(simreel_api PROPERTIES OUTPUT_NAME simreel EXPORT_NAME simreel VERSION ${PROJECT_VERSION}
-                      SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+                      SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
 # Installs the files with which CMake and pkg-config find libsimreel. The installed tree can be moved, because both find
 # their files relative to themselves.

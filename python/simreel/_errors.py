@@ -23,7 +23,7 @@ class Warning(UserWarning):  # noqa: A001  (simreel.Warning)
 class Error(Exception):
     """Raised by all functions of simreel.
 
-    `kind` is "scene", "usage", "device", "inputOutput", "process", "interrupted" or "internal". Errors about the text
+    `kind` is "scene", "usage", "device", "different", "inputOutput", "process", "interrupted" or "internal". Errors about the text
     of a scene or a kernel have every mistake in `mistakes`; file, line, column, path and suggestion are those of the
     first one, and None if unknown.
     """

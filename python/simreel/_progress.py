@@ -20,6 +20,13 @@ class Bar:
             bar = "#" * filled + "." * (30 - filled)
             print(f"\r[{bar}] {self.done}/{self.total} frames, {rate:.1f}/s", end="", file=sys.stderr, flush=True)
 
+    def count(self, frames):
+        """Begins with a number of frames, or advances by one frame for 0."""
+        if frames > 0:
+            self.total = frames
+        else:
+            self.advance()
+
     def end(self):
         if self.shown and self.told:
             print(file=sys.stderr)

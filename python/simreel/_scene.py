@@ -313,16 +313,28 @@ class Scene:
         return [dict(zip(keys, one)) for one in self._native.check(_arguments.values("frames", frames, _arguments.frame_number))]
 
     def save(self, output: str | os.PathLike[str], frames: Numbers = None, *, overwrite: bool = True,
-             manifest: bool | None = None) -> str:
+             resume: bool = False, manifest: bool | None = None, layers: Iterable[str] = (), bits: int | None = None,
+             fields: str | None = None, progress: bool | None = None) -> str:
         """Renders the scene from its start to a folder ("out/"), pictures ("out/####.png") or a video ("run.mp4").
 
-        The files are those of `simreel render`. `manifest`: writes manifest.json and run.json beside the pictures;
-        None: for folders.
+        The files are those of `simreel render`. `resume`: keeps whole frames of an earlier run, and goes on from its last
+        checkpoint. `manifest`: writes manifest.json and run.json beside the pictures; None: for folders. `layers`: layers
+        of OpenEXR pictures. `bits`: 16 in PNG, 32 in OpenEXR. `fields`: raw values beside the pictures, such as "npy".
+        `progress`: shows a bar; None: on a terminal and in a notebook.
         """
         place = _arguments.path("output", output) + ("/" if isinstance(output, pathlib.Path) and not output.suffix else "")
         if manifest is None:
             manifest = place.endswith("/")
-        return self._native.render(place, _frames_text(frames), overwrite, manifest)
+        layers = [layers] if isinstance(layers, str) else _arguments.values("layers", layers, _arguments.text)
+        options = {"frames": _frames_text(frames), "overwrite": bool(overwrite), "resume": bool(resume),
+                   "manifest": bool(manifest), "layers": layers,
+                   "bits": None if bits is None else _arguments.integer("bits", bits),
+                   "fields": None if fields is None else _arguments.text("fields", fields)}
+        bar = Bar(0, progress)
+        try:
+            return self._native.render(place, options, bar.count if bar.shown else None)
+        finally:
+            bar.end()
 
     def serve(self, *, height: int = 720, port: int = 0, bind: str = "127.0.0.1") -> View:
         """Shows the scene live: a notebook embeds the page, and a terminal prints its address.

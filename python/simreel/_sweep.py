@@ -36,7 +36,7 @@ def run_program(*words, accepted=(0,), cwd=None):
     """Runs the program and returns the finished process. Raises Error with its message for other exit codes."""
     done = subprocess.run([program(), *map(str, words)], capture_output=True, text=True, check=False, cwd=cwd)
     if done.returncode not in accepted:
-        kind = {2: "usage", 4: "device", 6: "inputOutput"}.get(done.returncode, "internal")
+        kind = {1: "different", 2: "usage", 4: "device", 6: "inputOutput"}.get(done.returncode, "internal")
         raise Error((done.stderr or done.stdout).strip().removeprefix("simreel: error: "), kind)
     return done
 

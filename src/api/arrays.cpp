@@ -261,7 +261,7 @@ std::optional<DeviceArray> Scene::State::readOnDevice(std::string_view object, s
                                             isPlain(layout) ? "none" : known));
   }
   api::Cuda& cuda = device->openCuda();
-  if (!cuda.problem().empty()) return std::nullopt;
+  if (!cuda.problem().empty() || product(layout.shape) == 0) return std::nullopt;
   DeviceArray made;
   made.type = typeOf(found->number);
   made.device = cuda.device();
@@ -270,18 +270,17 @@ std::optional<DeviceArray> Scene::State::readOnDevice(std::string_view object, s
   const sim::Planes& planes = state.planes;
   if (planes.count > 0) {
     if (product(found->shape) > static_cast<std::size_t>(planes.count)) return std::nullopt;
-    const auto each = static_cast<std::size_t>(planes.elements) * wordBytes;
-    made.strides = api::denseStrides(layout.shape, wordBytes);
-    made.strides.push_back(each);
-    made.memory =
-        cuda.copyOf(*planes.part.buffer, planes.part.offset, each * static_cast<std::size_t>(planes.count));
+    const auto elements = static_cast<std::size_t>(planes.elements);
+    std::vector<api::DeviceRows> blocks;
+    for (std::size_t i = 0; i < product(found->shape); ++i)
+      blocks.push_back(
+          {planes.part.offset + i * elements * wordBytes, wordBytes, wordBytes, product(layout.shape)});
+    made.memory = cuda.copyOf(*planes.part.buffer, blocks);
     return made;
   }
-  made.strides = api::denseStrides(layout.shape, layout.stride);
-  const auto inner = api::denseStrides(found->shape, bytesOf(found->number));
-  made.strides.insert(made.strides.end(), inner.begin(), inner.end());
-  made.offset = found->offset;
-  made.memory = cuda.copyOf(*state.buffer, layout.offset, product(layout.shape) * layout.stride);
+  const std::size_t width = product(found->shape) * bytesOf(found->number);
+  made.memory = cuda.copyOf(*state.buffer,
+                            {{layout.offset + found->offset, layout.stride, width, product(layout.shape)}});
   return made;
 }
 

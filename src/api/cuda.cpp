@@ -2,6 +2,7 @@
 
 #include "api/failure.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <dlfcn.h>
 #include <utility>
@@ -10,6 +11,20 @@
 #include <fmt/format.h>
 
 namespace simreel::api {
+
+/// Copy of rows between two places, CUDA_MEMCPY2D of the driver.
+struct Cuda::RowCopy {
+  struct Place {
+    std::size_t x = 0, y = 0;
+    int memoryType = 2;  // CU_MEMORYTYPE_DEVICE
+    void* host = nullptr;
+    std::uint64_t device = 0;
+    void* array = nullptr;
+    std::size_t pitch = 0;
+  };
+  Place from, to;
+  std::size_t width = 0, height = 0;
+};
 
 /// Functions of the CUDA driver (NVIDIA, "CUDA Driver API"), by the names of their present versions.
 /// Results are 0 for success.
@@ -24,6 +39,7 @@ struct Cuda::Functions {
   int (*allocate)(std::uint64_t* memory, std::size_t bytes);
   int (*freeMemory)(std::uint64_t memory);
   int (*copy)(std::uint64_t to, std::uint64_t from, std::size_t bytes);
+  int (*copyRows)(const RowCopy* copy);
   int (*registerBuffer)(void** resource, unsigned buffer, unsigned flags);
   int (*unregister)(void* resource);
   int (*map)(unsigned count, void** resources, void* stream);
@@ -42,27 +58,6 @@ bool find(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(::dlsym(library, name));
   return function != nullptr;
 }
-
-/// A plain OpenGL buffer with a copy of a part of another, because memory that comes from Vulkan cannot be
-/// registered.
-class PlainCopy {
- public:
-  PlainCopy(const gl::Buffer& buffer, std::size_t offset, std::size_t bytes) {
-    glCreateBuffers(1, &name_);
-    glNamedBufferData(name_, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_COPY);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glCopyNamedBufferSubData(buffer.name(), name_, static_cast<GLintptr>(offset), 0,
-                             static_cast<GLsizeiptr>(bytes));
-    glFinish();
-  }
-  ~PlainCopy() { glDeleteBuffers(1, &name_); }
-  PlainCopy(const PlainCopy&) = delete;
-  PlainCopy& operator=(const PlainCopy&) = delete;
-  [[nodiscard]] GLuint name() const { return name_; }
-
- private:
-  GLuint name_ = 0;
-};
 
 /// Calls a function at the end of a block.
 template <class Work>
@@ -98,6 +93,7 @@ void Cuda::open() {
       find(library_, "cuCtxPushCurrent_v2", f.push) && find(library_, "cuCtxPopCurrent_v2", f.pop) &&
       find(library_, "cuCtxSynchronize", f.synchronize) && find(library_, "cuMemAlloc_v2", f.allocate) &&
       find(library_, "cuMemFree_v2", f.freeMemory) && find(library_, "cuMemcpyDtoD_v2", f.copy) &&
+      find(library_, "cuMemcpy2DUnaligned_v2", f.copyRows) &&
       find(library_, "cuGraphicsGLRegisterBuffer", f.registerBuffer) &&
       find(library_, "cuGraphicsUnregisterResource", f.unregister) &&
       find(library_, "cuGraphicsMapResources", f.map) &&
@@ -115,6 +111,10 @@ void Cuda::open() {
     problem_ = "OpenGL draws on no CUDA device";
   else if (f.retain(&context_, device_) != 0)
     problem_ = "the CUDA device cannot be opened";
+}
+
+void Cuda::close() noexcept {
+  dropStaging();
 }
 
 Cuda::~Cuda() {
@@ -138,28 +138,78 @@ void Cuda::free(std::uint64_t memory) const noexcept {
   functions_->pop(&previous);
 }
 
-std::shared_ptr<void> Cuda::copyOf(const gl::Buffer& buffer, std::size_t offset, std::size_t bytes) {
+std::shared_ptr<void> Cuda::allocate(std::size_t bytes) {
+  std::uint64_t memory = 0;
+  require(functions_->allocate(&memory, bytes), "a copy of a state array does not fit on the card");
+  return {std::bit_cast<void*>(static_cast<std::uintptr_t>(memory)),
+          [owner = shared_from_this(), memory](void*) { owner->free(memory); }};
+}
+
+void Cuda::dropStaging() noexcept {
+  void* previous = nullptr;
+  if (staging_.resource != nullptr && functions_->push(context_) == 0) {
+    functions_->unregister(staging_.resource);
+    functions_->pop(&previous);
+  }
+  if (staging_.buffer != 0) glDeleteBuffers(1, &staging_.buffer);
+  staging_ = {};
+}
+
+/// Copies a part of a buffer to the start of the staging buffer. Mapping that buffer waits for the copy.
+void Cuda::stage(const gl::Buffer& buffer, std::size_t offset, std::size_t bytes) {
+  if (staging_.bytes < bytes) {
+    dropStaging();
+    glCreateBuffers(1, &staging_.buffer);
+    glNamedBufferData(staging_.buffer, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_COPY);
+    require(functions_->registerBuffer(&staging_.resource, staging_.buffer, readOnlyFlag),
+            "an OpenGL buffer cannot be shared");
+    staging_.bytes = bytes;
+  }
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glCopyNamedBufferSubData(buffer.name(), staging_.buffer, static_cast<GLintptr>(offset), 0,
+                           static_cast<GLsizeiptr>(bytes));
+}
+
+void Cuda::copyRows(std::uint64_t to, std::uint64_t from, std::size_t pitch, const DeviceRows& rows) const {
+  constexpr const char* failure = "a state array cannot be copied on the card";
+  if (rows.pitch == pitch) return require(functions_->copy(to, from, rows.width * rows.count), failure);
+  RowCopy copy;
+  copy.from.device = from;
+  copy.from.pitch = rows.pitch;
+  copy.to.device = to;
+  copy.to.pitch = pitch;
+  copy.width = rows.width;
+  copy.height = rows.count;
+  require(functions_->copyRows(&copy), failure);
+}
+
+std::shared_ptr<void> Cuda::copyOf(const gl::Buffer& buffer, const std::vector<DeviceRows>& blocks) {
   const Functions& f = *functions_;
-  const PlainCopy plain(buffer, offset, bytes);
+  std::size_t begin = SIZE_MAX, end = 0, pitch = 0;
+  for (const DeviceRows& rows : blocks) {
+    begin = std::min(begin, rows.offset);
+    end = std::max(end, rows.offset + (rows.count - 1) * rows.pitch + rows.width);
+    pitch += rows.width;
+  }
   require(f.push(context_), "a state array cannot be copied on the card");
   const AtEnd popped([&] {
     void* previous = nullptr;
     f.pop(&previous);
   });
-  void* resource = nullptr;
-  require(f.registerBuffer(&resource, plain.name(), readOnlyFlag), "an OpenGL buffer cannot be shared");
-  const AtEnd unregistered([&] { f.unregister(resource); });
-  require(f.map(1, &resource, nullptr), "an OpenGL buffer cannot be mapped");
-  const AtEnd unmapped([&] { f.unmap(1, &resource, nullptr); });
-  std::uint64_t from = 0, memory = 0;
+  stage(buffer, begin, end - begin);
+  require(f.map(1, &staging_.resource, nullptr), "an OpenGL buffer cannot be mapped");
+  const AtEnd unmapped([&] { f.unmap(1, &staging_.resource, nullptr); });
+  std::uint64_t from = 0;
   std::size_t mapped = 0;
-  require(f.pointer(&from, &mapped, resource), "an OpenGL buffer has no address");
-  require(f.allocate(&memory, bytes), "a copy of a state array does not fit on the card");
-  std::shared_ptr<void> held(std::bit_cast<void*>(static_cast<std::uintptr_t>(memory)),
-                             [owner = shared_from_this(), memory](void*) { owner->free(memory); });
-  require(f.copy(memory, from, bytes), "a state array cannot be copied on the card");
+  require(f.pointer(&from, &mapped, staging_.resource), "an OpenGL buffer has no address");
+  std::shared_ptr<void> made = allocate(pitch * blocks.front().count);
+  std::uint64_t to = std::bit_cast<std::uintptr_t>(made.get());
+  for (const DeviceRows& rows : blocks) {
+    copyRows(to, from + rows.offset - begin, pitch, rows);
+    to += rows.width;
+  }
   require(f.synchronize(), "a state array cannot be copied on the card");
-  return held;
+  return made;
 }
 
 }  // namespace simreel::api

@@ -27,7 +27,8 @@ std::weak_ptr<Device::State> opened;
 /// device.
 pid_t openedBy = 0;
 
-/// True while a call of this thread is running. The hook of such a call must not call the library.
+/// True while a call of this thread is running, and always on the device's thread. The hook of such a call
+/// must not call the library.
 thread_local bool isCalling = false;
 
 constexpr std::size_t maxMessages = 1000;
@@ -43,15 +44,17 @@ constexpr std::size_t maxMessages = 1000;
 
 Device::State::State(const DeviceOptions& wanted)
     : options(wanted), process(::getpid()), worker(std::make_unique<api::Worker>()) {
-  setMessageTaker([this](const char* level, const std::string& text) {
-    const std::scoped_lock lock(mutex);
-    if (messages.size() < maxMessages) messages.push_back({level, text});
-  });
+  if (!options.printsMessages)
+    setMessageTaker([this](const char* level, const std::string& text) {
+      const std::scoped_lock lock(mutex);
+      if (messages.size() < maxMessages) messages.push_back({level, text});
+    });
   try {
     run([this] {
       gl::ContextOptions how;
       how.device = options.device;
       how.memoryPath = options.memoryPath;
+      how.debug = options.debug;
       context = std::make_unique<gl::Context>(how);
       numerics = sim::probeNumerics();
     });
@@ -70,6 +73,7 @@ Device::State::~State() {
     return;
   }
   release([this] {
+    if (cuda) cuda->close();
     cuda.reset();
     context.reset();
   });
@@ -91,7 +95,7 @@ void Device::State::runTask(const std::function<void()>& task) {
   if (isCalling)
     api::fail(
         ErrorKind::usage,
-        "a call of simreel is running in this thread; a signal handler or a hook cannot make another");
+        "a call of simreel is running in this thread; a signal handler or a callback cannot make another");
   std::function<bool()> interruptRequested;
   {
     const std::scoped_lock lock(mutex);
@@ -107,6 +111,7 @@ void Device::State::runTask(const std::function<void()>& task) {
   };
   std::exception_ptr failure;
   const auto work = [&] {
+    isCalling = true;        // A callback on the device's thread must not call the library either.
     frame::setInterrupt(0);  // Removes an interrupt that was meant for an earlier call.
     begun = true;
     if (!ended) task();
@@ -144,7 +149,7 @@ Device Device::open(const DeviceOptions& options) {
   const std::scoped_lock lock(openMutex);
   if (openedBy != 0 && openedBy != ::getpid()) refuseFork();
   if (std::shared_ptr<State> present = opened.lock()) {
-    if (present->options.device != options.device || present->options.memoryPath != options.memoryPath)
+    if (present->options != options)
       api::fail(ErrorKind::usage,
                 fmt::format(
                     "device \"{}\" ({}) is open, and a process has one device; close its scenes first, or "

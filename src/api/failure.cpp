@@ -37,6 +37,8 @@ ErrorKind kindOf(const UserError& error) {
   switch (error.code()) {
     case ExitCode::device:
       return ErrorKind::device;
+    case ExitCode::different:
+      return ErrorKind::different;
     case ExitCode::inputOutput:
       return ErrorKind::inputOutput;
     default:

@@ -2,12 +2,11 @@
 
 #include "api/arrays.hpp"
 #include "api/failure.hpp"
+#include "api/rendering_state.hpp"
 #include "api/scene_state.hpp"
 #include "base/hash.hpp"
-#include "batch/render/render_job.hpp"
 #include "frame/file/checkpoint.hpp"
 #include "frame/image.hpp"
-#include "frame/interrupt.hpp"
 #include "golden/suite/scene_run.hpp"
 #include "scene/shipped_scene.hpp"
 #include "sim/grid/field_values.hpp"
@@ -15,7 +14,6 @@
 #include "sim/world/survey.hpp"
 
 #include <algorithm>
-#include <csignal>
 #include <limits>
 #include <set>
 #include <utility>
@@ -251,25 +249,16 @@ std::vector<CheckResult> Scene::check(const std::vector<int>& frames) {
   });
 }
 
-std::string Scene::render(const std::string& output, const RenderOptions& options) {
-  return state_->device->run([&] {
-    if (state_->changed)
-      api::fail(
-          ErrorKind::usage,
-          "the state was written, and a rendering begins at the scene's start; draw frame by frame, or "
-          "restart() the scene");
-    const auto began = Clock::now();
-    batch::RenderRequest request;
-    request.input = state_->input;
-    request.output = output;
-    request.frames = options.frames;
-    request.existing = options.overwrite ? frame::Existing::overwrite : frame::Existing::error;
-    request.manifest = options.manifest;
-    batch::RenderJob job(std::move(request));
-    frame::Progress progress(frame::Progress::Mode::none);
-    if (job.run(*state_->device->context, progress, began).signal != 0) throw frame::Interrupted{SIGINT};
-    return job.summary();
-  });
+RenderResult Scene::render(const std::string& output, const RenderOptions& options,
+                           const RenderEvents& events) {
+  if (state_->changed)
+    api::fail(ErrorKind::usage,
+              "the state was written, and a rendering begins at the scene's start; draw frame by frame, or "
+              "restart() the scene");
+  RenderResult result =
+      Rendering::State::make(state_->input, output, options)->run(*state_->device, events);
+  if (result.interrupted) api::fail(ErrorKind::interrupted, "interrupted");
+  return result;
 }
 
 std::vector<std::string> validate(const std::string& file, const LoadOptions& options,

@@ -28,14 +28,6 @@ std::exception_ptr endedMidway() {
 
 }  // namespace
 
-scene::SceneInput api::inputOf(std::string file, std::optional<std::string> text,
-                               const LoadOptions& options) {
-  scene::SceneInput input{std::move(file), std::move(text), {}, {}};
-  for (const Change& change : options.changes) input.overrides.push_back({change.path, change.value});
-  for (const std::string& folder : options.assets) input.assets.emplace_back(folder);
-  return input;
-}
-
 Scene::State::State(std::shared_ptr<Device::State> on, scene::SceneInput source, bool keepsMotion)
     : device(std::move(on)), input(std::move(source)), motion(keepsMotion) {}
 

@@ -25,14 +25,6 @@ struct Snapshot::State {
   bool changed = false;  ///< true if write() has changed the state
 };
 
-namespace api {
-
-/// Returns the input of a scene. `text`: its text; nullopt: it is read from the file.
-[[nodiscard]] scene::SceneInput inputOf(std::string file, std::optional<std::string> text,
-                                        const LoadOptions& options);
-
-}  // namespace api
-
 /// A scene on the device. The constructor, the destructor and begin() run on the thread of the caller that
 /// owns the scene; all other functions run on the device's thread.
 struct Scene::State {

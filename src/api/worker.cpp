@@ -1,13 +1,22 @@
 #include "api/worker.hpp"
 
+#include "api/failure.hpp"
+
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 namespace simreel::api {
 
-Worker::Worker() : thread_([this] { loop(); }) {}
+Worker::Worker() {
+  try {
+    thread_ = std::thread([this] { loop(); });
+  } catch (const std::system_error&) {  // NOLINT(bugprone-empty-catch): run() works without the thread.
+  }
+}
 
 Worker::~Worker() {
+  if (!thread_.joinable()) return;
   {
     const std::scoped_lock lock(mutex_);
     ends_ = true;
@@ -16,7 +25,24 @@ Worker::~Worker() {
   thread_.join();
 }
 
+void Worker::runHere(const std::function<void()>& task) {
+  if (std::this_thread::get_id() != creator_)
+    fail(
+        ErrorKind::process,
+        "the system allows no further thread for the device, so only the thread that opened it can use it");
+  std::exception_ptr failure;
+  try {
+    task();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  std::unique_lock lock(mutex_);
+  runLater(lock);
+  if (failure) std::rethrow_exception(failure);
+}
+
 void Worker::run(const std::function<void()>& task, const std::function<void()>& hook) {
+  if (!thread_.joinable()) return runHere(task);
   constexpr std::chrono::milliseconds pause(100);
   std::unique_lock mine(turn_, std::defer_lock);
   while (!mine.try_lock_for(pause))

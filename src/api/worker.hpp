@@ -8,7 +8,8 @@
 
 namespace simreel::api {
 
-/// Thread that holds the OpenGL context. It runs one task at a time.
+/// Thread that holds the OpenGL context. It runs one task at a time. If the system allows no further
+/// thread, tasks run on the thread that created this object, and others are refused.
 class Worker {
  public:
   Worker();
@@ -25,6 +26,7 @@ class Worker {
  private:
   void loop();
   void runLater(std::unique_lock<std::mutex>& lock);
+  void runHere(const std::function<void()>& task);
 
   std::timed_mutex turn_;  ///< locked by the caller whose task is running
   std::mutex mutex_;
@@ -33,7 +35,8 @@ class Worker {
   std::vector<std::function<void()>> later_;
   std::exception_ptr failure_;
   bool ends_ = false;
-  std::thread thread_;
+  std::thread::id creator_ = std::this_thread::get_id();
+  std::thread thread_;  ///< not joinable if the system allows no further thread
 };
 
 }  // namespace simreel::api

@@ -1,6 +1,7 @@
 #pragma once
 #include "base/error.hpp"
 
+#include <simreel/error.hpp>
 #include <string>
 
 namespace CLI {
@@ -48,6 +49,9 @@ void addKernels(CLI::App& app);
 /// Prints an error on standard error. A sentence follows "simreel: error: ", and a report is printed
 /// unchanged.
 void printError(const UserError& error);
+/// Returns an error of libsimreel's interface with the exit code and form that the same error of an
+/// internal function has.
+[[nodiscard]] UserError userErrorOf(const Error& error);
 
 /// Sets the exit code of a command that ends without an exception (130 after an interrupt).
 void setExitCode(int code);

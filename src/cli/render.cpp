@@ -1,29 +1,26 @@
-#include "base/clock.hpp"
+#include "api/rendering_state.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/log.hpp"
-#include "batch/render/render_job.hpp"
-#include "batch/sweep/measurements.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/device_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/slurm_options.hpp"
 #include "cli/pieces.hpp"
-#include "frame/frames_spec.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/progress.hpp"
-#include "frame/sink/sequence.hpp"
 #include "gl/context.hpp"
 #include "sim/automata/rule/cell_rule.hpp"
 #include "sim/life/cell_pattern.hpp"
 #include "sim/mesh/file/mesh_file.hpp"
 
-#include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
+#include <simreel/simreel.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,54 +30,33 @@ namespace simreel::cli {
 
 namespace {
 
-struct RenderOptions {
+struct RenderFlags {
   SceneOptions scene;
   std::string output;
-  std::optional<std::string> frames;
   std::optional<std::string> rule;
-  std::optional<std::string> fields;
+  RenderOptions more;
   gl::ContextOptions on;
   std::string progress = "auto";
-  std::string streamFormat = "rgba";
-  std::vector<std::string> layers;
-  std::optional<int> bits;
   bool overwrite = false;
   bool resume = false;
   bool skipExisting = false;
   bool noCounts = false, noManifest = false;
-  std::optional<double> checkpoint;
-  std::optional<std::string> checkpointAt;
-  std::string from;
   std::optional<std::size_t> pieces;
   std::string jobs = "1";
   SlurmOptions cluster;
 };
 
-frame::Existing existingPolicy(const RenderOptions& o) {
+Existing existingPolicy(const RenderFlags& o) {
   if (int{o.overwrite} + int{o.resume} + int{o.skipExisting} > 1)
     fail(ExitCode::usage, "--overwrite, --resume and --skip-existing exclude each other");
-  return o.overwrite      ? frame::Existing::overwrite
-         : o.resume       ? frame::Existing::resume
-         : o.skipExisting ? frame::Existing::skip
-                          : frame::Existing::error;
-}
-
-std::set<int> checkpointFrames(const std::optional<std::string>& text) {
-  if (!text) return {};
-  const std::vector<int> frames = frame::parseFrames(*text, "--checkpoint-at");
-  return {frames.begin(), frames.end()};
-}
-
-std::vector<draw::Layer> layersOf(const std::vector<std::string>& names) {
-  std::vector<draw::Layer> layers;
-  for (std::size_t i = 0; i < draw::layerNames.size(); ++i)
-    if (std::find(names.begin(), names.end(), draw::layerNames[i]) != names.end())
-      layers.push_back(static_cast<draw::Layer>(i));
-  return layers;
+  return o.overwrite      ? Existing::overwrite
+         : o.resume       ? Existing::resume
+         : o.skipExisting ? Existing::skip
+                          : Existing::error;
 }
 
 /// Adds --rule as overrides of the scene that is generated for a cell pattern.
-void changeRule(const RenderOptions& o, std::vector<scene::Override>& changes) {
+void changeRule(const RenderFlags& o, std::vector<scene::Override>& changes) {
   const std::string& text = *o.rule;
   if (!sim::isPatternName(o.scene.file))
     fail(ExitCode::usage,
@@ -94,73 +70,99 @@ void changeRule(const RenderOptions& o, std::vector<scene::Override>& changes) {
   if (rule.states > 2) changes.push_back({"objects.cells.life.trail", "0"});
 }
 
-batch::RenderRequest requestOf(const RenderOptions& o) {
-  std::vector<scene::Override> changes = o.scene.changes();
-  if (o.rule) changeRule(o, changes);
-  // A model with an animation is rendered as a single picture if the output is a single picture file.
-  const std::string ending = lowerExtension(o.output);
-  const bool onePicture = sim::isMeshFile(o.scene.file) && !o.frames && !o.scene.turn &&
-                          (ending == ".png" || ending == ".exr") && o.output.find('#') == std::string::npos;
-  return {
-      .input = {o.scene.file, {}, std::move(changes), assetFolders(o.scene.assets)},
-      .output = o.output,
-      .frames = onePicture ? "0" : o.frames,
-      .existing = existingPolicy(o),
-      .fields = o.fields,
-      .counts = !o.noCounts,
-      .manifest = !o.noManifest,
-      .checkpoint = o.checkpoint,
-      .checkpointAt = checkpointFrames(o.checkpointAt),
-      .from = o.from,
-      .streamFormat = o.streamFormat,
-      .layers = layersOf(o.layers),
-      .bits = o.bits,
-      .command = commandLine(),
-  };
+LoadOptions loadOptionsOf(const RenderFlags& o) {
+  std::vector<scene::Override> overrides = o.scene.changes();
+  if (o.rule) changeRule(o, overrides);
+  LoadOptions load;
+  for (const scene::Override& one : overrides) load.changes.push_back({one.path, one.value});
+  for (const std::filesystem::path& folder : assetFolders(o.scene.assets))
+    load.assets.push_back(folder.string());
+  return load;
 }
 
-void render(const RenderOptions& o) {
-  const auto began = Clock::now();
+RenderOptions optionsOf(const RenderFlags& o) {
+  RenderOptions options = o.more;
+  // A model with an animation is rendered as a single picture if the output is a single picture file.
+  const std::string ending = lowerExtension(o.output);
+  if (sim::isMeshFile(o.scene.file) && !options.frames && !o.scene.turn &&
+      (ending == ".png" || ending == ".exr") && o.output.find('#') == std::string::npos)
+    options.frames = "0";
+  options.existing = existingPolicy(o);
+  options.counts = !o.noCounts;
+  options.manifest = !o.noManifest;
+  options.command = commandLine();
+  return options;
+}
+
+frame::StageTimes timesOf(const StageTimes& from) {
+  return {.simulate = from.simulate,
+          .draw = from.draw,
+          .readBack = from.readBack,
+          .encode = from.encode,
+          .start = from.start,
+          .wait = from.wait};
+}
+
+/// Returns events that a Progress shows. With --progress=ndjson, they include the results of the scene's
+/// checks.
+RenderEvents shownBy(frame::Progress& progress) {
+  RenderEvents events;
+  events.start = [&](int frames) { progress.start(frames); };
+  events.prepare = [&](long done, long total) { progress.prepare(done, total); };
+  events.frame = [&](int number, const StageTimes& stages) { progress.frame(number, timesOf(stages)); };
+  events.counts = [&](int number, std::string_view names, std::string_view row) {
+    progress.counts(number, names, row);
+  };
+  events.complete = [&] { progress.clear(); };
+  events.end = [&](std::string_view status, const StageTimes& stages) {
+    progress.finish(std::string(status).c_str(), timesOf(stages));
+  };
+  if (progress.tellsEvents())
+    events.check = [&](const CheckResult& one) {
+      progress.check(one.what, one.frame, one.value, one.passed);
+    };
+  return events;
+}
+
+void render(const RenderFlags& o) {
   if (o.pieces && o.noManifest)
     fail(ExitCode::usage,
          "--no-manifest: --pieces joins its pieces by their manifests; leave out one of both");
-  if (o.pieces) return renderInPieces({requestOf(o), *o.pieces, o.jobs, o.cluster, o.on, o.progress});
+  const LoadOptions load = loadOptionsOf(o);
+  const RenderOptions options = optionsOf(o);
+  if (o.pieces)
+    return renderInPieces({api::requestOf(api::inputOf(o.scene.file, {}, load), o.output, options),
+                           *o.pieces, o.jobs, o.cluster, o.on, o.progress});
   if (o.cluster.slurm || !o.cluster.scratch.empty())
     fail(ExitCode::usage, "--slurm and --scratch need --pieces");
   frame::Progress progress(frame::parseProgressMode(o.progress));
   // The constructor throws for an invalid output name before a device starts.
-  batch::RenderJob job(requestOf(o));
+  Rendering rendering(o.scene.file, o.output, options, load);
   frame::catchInterrupts();
   frame::interruptFrames();
   frame::ignoreBrokenPipes();
 
-  const gl::Context context(o.on);
-  // With --progress=ndjson, the output includes the results of the scene's checks.
-  std::optional<batch::Measurements> checks;
-  if (progress.tellsEvents() && !job.scene().checks.empty())
-    checks.emplace(job.scene(), job.frames(), batch::CheckFiles(), [&](const golden::CheckResult& check) {
-      progress.check(check.what, check.frame, check.value, check.passed);
-    });
-  frame::SequenceResult result;
+  const Device device = Device::open({o.on.device, o.on.memoryPath, true, o.on.debug});
+  RenderResult result;
   try {
-    result = job.run(context, progress, began, checks ? &*checks : nullptr);
-  } catch (const UserError& error) {
+    result = rendering.run(device, shownBy(progress));
+  } catch (const Error& error) {
     const int signal = frame::interruptSignal();
-    if (signal == 0 || error.code() != ExitCode::inputOutput) throw;
-    printError(error);  // The signal caused the error, so the exit code contains the signal's number.
+    if (signal == 0 || error.kind() != ErrorKind::inputOutput) throw;
+    printError(userErrorOf(error));  // The signal caused the error, so the exit code contains its number.
     return setExitCode(128 + signal);
   }
-  info("{}", frame::closingLine(result.frames, result.seconds, result.stages, job.summary()));
-  if (result.signal != 0) {
+  info("{}", frame::closingLine(result.frames, result.seconds, timesOf(result.stages), result.files));
+  if (result.interrupted) {
     info("simreel: interrupted; what is listed in the manifest is whole, --resume goes on from there");
-    setExitCode(128 + result.signal);
+    setExitCode(128 + frame::interruptSignal());
   }
 }
 
 }  // namespace
 
 void addRender(CLI::App& app) {
-  auto o = std::make_shared<RenderOptions>();
+  auto o = std::make_shared<RenderFlags>();
   auto* command = app.add_subcommand("render", "Render a scene to pictures or a video");
   o->scene.add(*command);
   command
@@ -170,19 +172,19 @@ void addRender(CLI::App& app) {
   command->add_option("--rule", o->rule,
                       "Rule for a file of cells, instead of its own, for example B2-a/S12; `simreel list "
                       "life` explains the notations");
-  command->add_option("--frames", o->frames,
+  command->add_option("--frames", o->more.frames,
                       "Frames to write, for example 0-99x2,150 or last; all frames are simulated. A video "
                       "of every second frame "
                       "plays at the speed of the scene. none: draw nothing, for --checkpoint-at");
   command
       ->add_option(
-          "--fields", o->fields,
+          "--fields", o->more.fields,
           "Also write the raw values of fields beside each picture: of all, as npy or pfm, or of those "
           "that are named: NAME,... or pfm,NAME,...")
       ->type_name("{npy,pfm,NAME}");
   command
       ->add_option(
-          "--layers", o->layers,
+          "--layers", o->more.layers,
           "Layers of OpenEXR pictures (-o NAME_####.exr), besides the light (with bloom, before exposure, "
           "vignette, white balance and tone curve; premultiplied where there is alpha): depth (Z: m along "
           "the line of sight), position (P.X, P.Y, "
@@ -193,27 +195,27 @@ void addRender(CLI::App& app) {
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(draw::layerNames.begin(), draw::layerNames.end())));
   command
-      ->add_option("--bits", o->bits,
+      ->add_option("--bits", o->more.bits,
                    "Bits of each number of a picture: PNG 8 (the default) or 16, which is not dithered; "
                    "OpenEXR 16 (the default) or 32 for light")
       ->check(CLI::IsMember({8, 16, 32}));
   addDevices(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
-  command->add_option("--stream-format", o->streamFormat, "Format of the stream that -o - writes")
+  command->add_option("--stream-format", o->more.streamFormat, "Format of the stream that -o - writes")
       ->check(CLI::IsMember({"rgba", "y4m"}));
   command->add_flag("--overwrite", o->overwrite, "Replace frames that exist");
   command->add_flag(
       "--resume", o->resume,
       "Keep the frames that are whole (the manifest has their hashes), and go on from the last checkpoint");
   command
-      ->add_option("--checkpoint", o->checkpoint,
+      ->add_option("--checkpoint", o->more.checkpoint,
                    "Seconds between checkpoints of the state beside the frames, from which --resume goes "
                    "on; 0: none (default: 60)")
       ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--checkpoint-at", o->checkpointAt,
+  command->add_option("--checkpoint-at", o->more.checkpointAt,
                       "Frames whose states are kept beside the pictures as checkpoint.000500 and so on, "
                       "for example 0,500,1000");
-  command->add_option("--from", o->from,
+  command->add_option("--from", o->more.from,
                       "Begin at this checkpoint instead of at the scene's start; any run of the same "
                       "simulation can have written it");
   command

@@ -34,6 +34,24 @@ int print(const std::string& message, ExitCode code) {
   return print(UserError(code, message));
 }
 
+ExitCode exitCodeOf(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::scene:
+    case ErrorKind::usage:
+      return ExitCode::usage;
+    case ErrorKind::device:
+    case ErrorKind::process:
+      return ExitCode::device;
+    case ErrorKind::different:
+      return ExitCode::different;
+    case ErrorKind::inputOutput:
+    case ErrorKind::interrupted:
+    case ErrorKind::internal:
+      break;
+  }
+  return ExitCode::inputOutput;
+}
+
 /// Opens /dev/null on each of the descriptors 0 to 2 that the caller closed. Otherwise a file opened later
 /// would get such a descriptor, and messages would be written into that file. /dev/null is opened
 /// read-only, so that writing fails as it does on a closed descriptor.
@@ -77,6 +95,13 @@ void printError(const UserError& error) {
     errorLines(error.what());
   else
     errorLine("simreel: error: " + std::string(error.what()));
+}
+
+UserError userErrorOf(const Error& error) {
+  const std::string text = error.what();
+  // A report of the driver begins with "simreel: error:" itself.
+  const bool report = error.kind() == ErrorKind::scene || text.starts_with("simreel: error: ");
+  return {exitCodeOf(error.kind()), text, report ? UserError::Form::report : UserError::Form::sentence};
 }
 
 void addCommands(CLI::App& app) {
@@ -125,6 +150,8 @@ int explained(int argc, char** argv) {
     return runCommand(argc, argv);
   } catch (const UserError& error) {
     return print(error);
+  } catch (const Error& error) {
+    return print(userErrorOf(error));
   } catch (const frame::Interrupted& interrupted) {  // A signal arrived while a command created its world.
     info("simreel: interrupted");
     return 128 + interrupted.signal;

@@ -16,6 +16,7 @@ namespace simreel::frame {
 namespace {
 
 std::atomic<int> arrived = 0;
+std::atomic<int> requested = 0;  ///< signal of setInterrupt()
 // A signal handler may only use lock-free atomics.
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<double>::is_always_lock_free);
 
@@ -79,7 +80,8 @@ void catchInterrupts() {
 }
 
 int interruptSignal() {
-  return arrived;
+  const int signal = arrived;
+  return signal != 0 ? signal : requested.load();
 }
 
 void throwIfInterrupted() {
@@ -87,7 +89,7 @@ void throwIfInterrupted() {
 }
 
 void setInterrupt(int signal) {
-  arrived = signal;
+  requested = signal;
 }
 
 void interruptFrames() {

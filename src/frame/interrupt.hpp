@@ -18,7 +18,8 @@ void catchInterrupts();
 /// the sink and exit with 128 + the signal.
 [[nodiscard]] int interruptSignal();
 void throwIfInterrupted();
-/// Makes throwIfInterrupted() throw as if `signal` had arrived. 0 cancels this. Safe in any thread.
+/// Makes throwIfInterrupted() throw as if `signal` had arrived. 0 cancels this, but not a signal that did
+/// arrive. Safe in any thread.
 void setInterrupt(int signal);
 /// Makes long frames end with the exception Interrupted after a signal. They end where they call
 /// checkFrame(). catchInterrupts() must have been called.

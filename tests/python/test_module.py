@@ -1,4 +1,6 @@
 """Tests the Python module: state and pictures against the command line's, writing state, errors, several scenes."""
+import contextlib
+import io
 import os
 import pathlib
 import shutil
@@ -45,6 +47,25 @@ class Pictures(ModuleCase):
         self.addCleanup(scene.close)
         scene.save(self.folder / "one.png", 0)
         self.assert_same(picture_of((self.folder / "one.png").read_bytes()), numpy.asarray(scene.image()))
+
+    def test_saving_resumes_writes_layers_and_tells_its_progress(self):
+        """Takes 1 s."""
+        scene = self.scene()
+        scene.save(self.folder / "saved", range(2))
+        before = (self.folder / "saved/000000.png").stat().st_mtime_ns
+        with contextlib.redirect_stderr(io.StringIO()) as shown:
+            scene.save(self.folder / "saved", range(4), resume=True, progress=True)
+        self.assertIn("4/4 frames", shown.getvalue())
+        self.assertEqual((self.folder / "saved/000000.png").stat().st_mtime_ns, before)
+        self.good("-q", "render", "scene.json", "-o", "rendered/", "--frames", "0-3")
+        self.assertEqual(self.content("saved"), self.content("rendered"))
+        scene.save(self.folder / "saved_#.exr", 0, layers=["normal", "depth"], bits=32)
+        self.good("-q", "render", "scene.json", "-o", "rendered_#.exr", "--frames", "0", "--layers", "depth,normal", "--bits", "32", "--no-manifest")
+        self.assertEqual((self.folder / "saved_0.exr").read_bytes(), (self.folder / "rendered_0.exr").read_bytes())
+        for options, words in (({"layers": ["dept"]}, '"depth"'), ({"bits": 7}, "8, 16 or 32"), ({"fields": "x"}, "--fields")):
+            with self.assertRaisesRegex(simreel.Error, words):
+                scene.save(self.folder / "wrong.exr", 0, **options)
+        self.assertEqual(scene.step().number, 1)
 
     def test_layers_are_arrays_of_the_picture_s_size(self):
         scene = self.scene(motion=True)

@@ -143,6 +143,19 @@ class Warnings(ModuleCase):
         self.assertEqual([(one.category, one.filename) for one in caught], [(simreel.Warning, __file__)])
         self.assertIn('writes "_Cells"', str(caught[0].message))
 
+    def test_a_warning_of_drawn_numbers_appears_with_their_picture(self):
+        source = ("#pragma kernel Step\nRWTexture2D<float> _Cells;\nfloat _Zero;\n[numthreads(8, 8, 1)]\n"
+                  "void Step(uint3 id : SV_DispatchThreadID) { float n = _Cells[id.xy] + 1; _Cells[id.xy] = n > 2.5 ? n / _Zero : n; }\n")
+        scene = simreel.Scene(objects={"a": {"kernels": {"source": source, "textures": {"_Cells": [8, 8]}, "step": ["Step"],
+                                                         "constants": {"_Zero": 0}, "nonFinite": "warn",
+                                                         "field": {"of": "_Cells", "show": "r"}}}})
+        self.addCleanup(scene.close)
+        for number in range(1, 5):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                scene.step().image()
+            self.assertEqual([str(one.message)[:24] for one in caught], ['kernels "a", frame 3: "_'] if number == 3 else [])
+
     def test_a_warning_that_is_an_error_ends_the_call(self):
         scene = self.warned()
         with warnings.catch_warnings():

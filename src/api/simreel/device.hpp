@@ -10,9 +10,13 @@ namespace simreel {
 
 /// Choice of the device.
 struct DeviceOptions {
-  std::string device;  ///< index of the device, or part of its name; if empty, a GPU if there is one, and
-                       ///< otherwise Mesa's software driver
-  std::string memoryPath;  ///< "storage" or "texel"; if empty, the faster one for the device
+  std::string device = {};  ///< index of the device, or part of its name; if empty, a GPU if there is one,
+                            ///< and otherwise Mesa's software driver
+  std::string memoryPath = {};  ///< "storage" or "texel"; if empty, the faster one for the device
+  bool printsMessages = false;  ///< true to print messages on standard error as they come, as the command
+                                ///< line does; takeMessages() then returns none
+  bool debug = false;           ///< true to ask the driver for debug messages; serious ones are errors
+  bool operator==(const DeviceOptions&) const = default;
 };
 
 /// The device of the process, and the thread that works on it.

@@ -4,6 +4,8 @@
 #include <optional>
 #include <simreel/device.hpp>
 #include <simreel/error.hpp>
+#include <simreel/load.hpp>
+#include <simreel/rendering.hpp>
 #include <simreel/values.hpp>
 #include <span>
 #include <string>
@@ -11,28 +13,6 @@
 #include <vector>
 
 namespace simreel {
-
-/// Replaces one value of a scene, as -D does.
-struct Change {
-  std::string path;   ///< dotted path, such as "objects.flag.cloth.fabric"
-  std::string value;  ///< value as JSON; a word without quotes is a string
-};
-
-/// Options for reading a scene.
-struct LoadOptions {
-  std::vector<Change> changes = {};
-  std::vector<std::string> assets = {};  ///< additional folders from which the scene may read files
-  /// True to make the layers "velocity" and "vector" available, which cost time in each frame.
-  bool motion = false;
-};
-
-/// Options of Scene::render().
-struct RenderOptions {
-  std::optional<std::string> frames = {};  ///< frames in the syntax of --frames, such as "0-99x2,150";
-                                           ///< nullopt for all frames
-  bool overwrite = false;
-  bool manifest = true;  ///< false to write no manifest.json, run.json and as-run.json next to the pictures
-};
 
 /// State of a scene between two frames, in CPU memory.
 class SIMREEL_API Snapshot {
@@ -147,9 +127,11 @@ class SIMREEL_API Scene {
   /// Runs the scene from its start and evaluates its checks. `frames`: frames to draw, from 0, in any
   /// order. The scene's current frame does not change.
   [[nodiscard]] std::vector<CheckResult> check(const std::vector<int>& frames);
-  /// Renders the scene from its start to a folder, pictures or a video, with the same files as `simreel
-  /// render`. Returns text that names the written files. The scene's current frame does not change.
-  std::string render(const std::string& output, const RenderOptions& options = {});
+  /// Renders the scene from its start to files, as a Rendering does. The scene's current frame does not
+  /// change. Throws Error(usage) for a written state, and Error(interrupted) if the rendering was
+  /// interrupted.
+  RenderResult render(const std::string& output, const RenderOptions& options = {},
+                      const RenderEvents& events = {});
 
  private:
   struct State;

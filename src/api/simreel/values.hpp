@@ -39,14 +39,12 @@ struct Array {
   }
 };
 
-/// Copy of an array of numbers in the memory of a CUDA device.
+/// Copy of an array of numbers in the memory of a CUDA device, without gaps. The last axis is the fastest.
 struct DeviceArray {
   NumberType type = NumberType::float32;
   std::vector<std::size_t> shape;
-  std::vector<std::size_t> strides;  ///< bytes from one entry of each axis to the next
-  std::shared_ptr<void> memory;      ///< address on the device; freed with its last owner
-  std::size_t offset = 0;            ///< bytes from `memory` to the first number
-  int device = 0;                    ///< number of the CUDA device
+  std::shared_ptr<void> memory;  ///< address of the first number on the device; freed with its last owner
+  int device = 0;                ///< number of the CUDA device
 };
 
 /// Description of a state array.

@@ -10,7 +10,6 @@
 #include "frame/sink/open_sink.hpp"
 #include "gl/machine.hpp"
 #include "scene/as_run.hpp"
-#include "sim/core/numerics.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"
 
@@ -128,9 +127,7 @@ void RenderJob::placeCamera() {
     if (!remark.empty()) info("{}", remark);
 }
 
-frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {
-  const auto numerics = sim::probeNumerics();
-  sim::requireExact(scene_, numerics);
+frame::RunInfo RenderJob::runInfo(const gl::Context& context, const sim::Numerics& numerics) const {
   const auto machine = gl::machineOf(context);
   std::vector<std::string> folders;
   if (request_.input.file != "-")
@@ -159,9 +156,10 @@ frame::RunInfo RenderJob::runInfo(const gl::Context& context) const {
   };
 }
 
-frame::SequenceResult RenderJob::run(const gl::Context& context, frame::Progress& progress,
+frame::SequenceResult RenderJob::run(const gl::Context& context, frame::RunListener& progress,
                                      Clock::time_point began, frame::FrameWatch* watch) {
-  sim::requireExact(scene_, sim::probeNumerics());
+  const sim::Numerics numerics = sim::probeNumerics();
+  sim::requireExact(scene_, numerics);
   try {
     placeCamera();
   } catch (const frame::Interrupted& interrupted) {
@@ -170,7 +168,7 @@ frame::SequenceResult RenderJob::run(const gl::Context& context, frame::Progress
     none.seconds = secondsSince(began);
     return none;
   }
-  const frame::RunInfo run = runInfo(context);
+  const frame::RunInfo run = runInfo(context, numerics);
   const auto sink = frame::openSink(output_, request_.existing, run, frames_, request_.streamFormat);
   frame::SequenceOptions beside;
   if (fields_) beside.fields = &*fields_;

@@ -8,6 +8,7 @@
 #include "gl/context.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_input.hpp"
+#include "sim/core/numerics.hpp"
 
 #include <filesystem>
 #include <map>
@@ -50,8 +51,8 @@ class RenderJob {
   [[nodiscard]] const frame::OutputName& output() const { return output_; }
 
   /// Renders. `began`: start time of the command. Throws UserError.
-  frame::SequenceResult run(const gl::Context& context, frame::Progress& progress, Clock::time_point began,
-                            frame::FrameWatch* watch = nullptr);
+  frame::SequenceResult run(const gl::Context& context, frame::RunListener& progress,
+                            Clock::time_point began, frame::FrameWatch* watch = nullptr);
   /// Returns the written files after run(): "out/000000.png ... out/000119.png".
   [[nodiscard]] const std::string& summary() const { return summary_; }
 
@@ -61,7 +62,7 @@ class RenderJob {
   void chooseCheckpoints();
   void chooseLayers();
   void placeCamera();
-  [[nodiscard]] frame::RunInfo runInfo(const gl::Context& context) const;
+  [[nodiscard]] frame::RunInfo runInfo(const gl::Context& context, const sim::Numerics& numerics) const;
 
   RenderRequest request_;
   scene::Scene scene_;

@@ -93,7 +93,7 @@ void ofRow(const BenchReport& report, const BenchRow& row, frame::Progress& prog
   try {
     work();
   } catch (const UserError& error) {
-    progress.finish("failed");
+    progress.finish("failed", {});
     if (report.rows.size() == 1) throw;
     fail(error.code(), "{}: {}", row.asked.name, error.what());
   }
@@ -125,7 +125,7 @@ void measure(BenchReport& report, std::vector<scene::Scene> scenes, const gl::Co
       });
     }
   report.interrupted = frame::interruptSignal() != 0;
-  progress.finish(report.interrupted ? "interrupted" : "ok");
+  progress.finish(report.interrupted ? "interrupted" : "ok", {});
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!report.interrupted && runs[i].scene().render.quality == scene::Quality::high) runs[i].countRays();
     report.rows[i].times = runs[i].times();

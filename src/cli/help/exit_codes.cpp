@@ -24,7 +24,8 @@ std::span<const ExitMeaning> exitMeanings() {
       {"5", "nothing ran",
        "The filter, shard or folder matched no scene or picture. `simreel test --list` prints what would "
        "run."},
-      {"6", "a file cannot be read or written", "Check the path, the permissions and the free space."},
+      {"6", "a file cannot be read or written, or is damaged",
+       "Check the path, the permissions and the free space. Make a damaged file again."},
       {"7", "jobs of a sweep or pieces are queued, running or aborted",
        "Wait, then ask again: `simreel sweep status FOLDER` or `simreel pieces status FOLDER`. Run aborted "
        "jobs again: `simreel sweep retry FOLDER`."},

@@ -2,6 +2,7 @@
 // cluster runs `job`.
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/hash.hpp"
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "batch/collect/contact_sheet.hpp"
@@ -21,11 +22,13 @@
 #include "frame/sink/progress.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -88,6 +91,8 @@ void status(const FollowerOptions& o) {
 
 void retry(const FollowerOptions& o) {
   const batch::SweepPlan plan = batch::readSweepPlan(o.folder);
+  const frame::OutputLock lock =
+      lockSweep(plan, readFile(plan.planFile(), "plan") + readFile(plan.sceneFile(), "scene"));
   std::vector<std::size_t> all(plan.jobs.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   runSweep(plan, all, o.run);
@@ -185,6 +190,18 @@ void submitSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& j
 }
 
 }  // namespace
+
+frame::OutputLock lockSweep(const batch::SweepPlan& plan, const std::string& text) {
+  const std::array mine{static_cast<int>(::getpid())};
+  try {
+    return {plan.planFile(), hashHex(text), mine};
+  } catch (const UserError&) {
+    if (!frame::isOutputLocked(plan.planFile())) throw;
+    fail(ExitCode::inputOutput,
+         "another simreel is running another sweep in {}; wait for it, or choose another folder",
+         plan.folder.string());
+  }
+}
 
 void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs,
               const SweepRunOptions& how) {

@@ -137,6 +137,8 @@ void sweep(const SweepOptions& o) {
   checkOptions(o);
   const std::string text = scene::readSceneSource(o.scene.file, sim::kinds()).first;
   const batch::SweepPlan plan = planOf(o, text);
+  makeFolders(plan.folder);
+  const frame::OutputLock lock = lockSweep(plan, planText(plan) + text);
   store(plan, text, o.overwrite);
   if (o.planOnly) {
     info("{} job{} -> {}", plan.jobs.size(), plan.jobs.size() == 1 ? "" : "s", plan.planFile().string());

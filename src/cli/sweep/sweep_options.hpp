@@ -2,6 +2,7 @@
 #include "batch/plan/sweep_plan.hpp"
 #include "cli/options/scene_options.hpp"
 #include "cli/options/slurm_options.hpp"
+#include "frame/file/output_lock.hpp"
 #include "gl/context.hpp"
 
 #include <cstddef>
@@ -36,6 +37,10 @@ struct SweepOptions {
   bool overwrite = false;
   SweepRunOptions run;
 };
+
+/// Locks a sweep's folder. The same sweep may run several times at once, and its processes share the jobs.
+/// `text`: plan and scene of the sweep. Throws UserError(inputOutput) if another sweep is running there.
+[[nodiscard]] frame::OutputLock lockSweep(const batch::SweepPlan& plan, const std::string& text);
 
 /// Runs those `jobs` that are not done, locally or through Slurm. Sets the exit code from the state of all
 /// jobs.

@@ -22,13 +22,21 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* checkpointFormat = "simreel-checkpoint";
 
-/// Removes the hash from the end of the text. Throws JsonError if the hash does not match the text before
-/// it.
+/// Error about a file that is a checkpoint, but whose bytes are not those that were written.
+class Damaged : public JsonError {
+ public:
+  using JsonError::JsonError;
+};
+
+/// Removes the hash from the end of the text. Throws JsonError if the text is no checkpoint, and Damaged if
+/// the hash does not match the text before it.
 void checkHash(std::string& text) {
   const std::string_view all(text);
+  if (!all.starts_with(fmt::format("{{\"format\":\"{}\"", checkpointFormat)))
+    throw JsonError("it is not a checkpoint");
   if (all.size() < hashDigits ||
       hashHex(all.substr(0, all.size() - hashDigits)) != all.substr(all.size() - hashDigits))
-    throw JsonError("it is damaged, or of another version of simreel");
+    throw Damaged("it is damaged");
   text.resize(text.size() - hashDigits);
 }
 
@@ -57,6 +65,8 @@ Checkpoint Checkpoint::load(const std::filesystem::path& file) {
   c.text_ = readFile(file, "checkpoint", std::numeric_limits<std::size_t>::max() / 2);
   try {
     c.readHeader();
+  } catch (const Damaged& error) {
+    fail(ExitCode::inputOutput, "checkpoint {} cannot be used: {}", file.string(), error.what());
   } catch (const JsonError& error) {
     fail(ExitCode::usage, "checkpoint {} cannot be used: {}", file.string(), error.what());
   }
@@ -68,7 +78,6 @@ void Checkpoint::readHeader() {
   payload_ = text_.find('\n') + 1;
   const auto json = parseStrictJson(std::string_view(text_).substr(0, payload_));
   const JsonValue header(json);
-  if (!header.at("format").is(checkpointFormat)) throw JsonError("it is not a checkpoint");
   if (const std::string program = header.at("program").text(); program != version())
     throw JsonError(fmt::format("simreel {} wrote it", program));
   simulation_ = header.at("simulation").text();

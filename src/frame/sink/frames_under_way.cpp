@@ -9,7 +9,7 @@
 namespace simreel::frame {
 
 FramePipeline::FramePipeline(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields,
-                             Progress& progress, StageTimers& timers, std::function<void()> awaitSummary)
+                             RunListener& progress, StageTimers& timers, std::function<void()> awaitSummary)
     : sink_(sink),
       fields_(fields),
       progress_(progress),

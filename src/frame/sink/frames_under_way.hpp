@@ -29,7 +29,7 @@ class FramePipeline {
  public:
   /// `awaitSummary`: waits for the next state summary and calls know(). `fields`: null if no raw field
   /// values are written.
-  FramePipeline(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, Progress& progress,
+  FramePipeline(const scene::Scene& scene, FrameSink& sink, const FieldFiles* fields, RunListener& progress,
                 StageTimers& timers, std::function<void()> awaitSummary);
 
   /// Makes the renderer receive each previous frame, if pictures have motion blur or velocities. Must be
@@ -70,7 +70,7 @@ class FramePipeline {
 
   FrameSink& sink_;
   const FieldFiles* fields_;
-  Progress& progress_;
+  RunListener& progress_;
   StageTimers& timers_;
   std::function<void()> awaitSummary_;
   std::function<void(int frame, const Image& image)> onPicture_;

@@ -18,24 +18,40 @@ struct StageTimes {
   double wait = 0;    ///< time spent waiting for encoders, ffmpeg or the disk
 };
 
+/// Listener to the events of a run. The functions of this class do nothing.
+class RunListener {
+ public:
+  virtual ~RunListener() = default;
+  /// The run begins. `total`: number of its frames.
+  virtual void start(int /*total*/) {}
+  /// Reports the progress of the pre-roll steps before the first frame.
+  virtual void prepare(long /*done*/, long /*total*/) {}
+  /// Reports that a frame is done or already existed. `stages`: times of the frame and of preceding frames
+  /// that are not written. `stages.encode`: encoding time of any frames since the last call, because
+  /// encoding runs in parallel.
+  virtual void frame(int /*number*/, const StageTimes& /*stages*/) {}
+  /// Reports the current counts. `names` and `row` are comma separated.
+  virtual void counts(int /*frame*/, std::string_view /*names*/, std::string_view /*row*/) {}
+  /// All frames are delivered, and the files are completed next.
+  virtual void clear() {}
+  /// The run has ended. `status`: "ok", "interrupted" or "failed". `stages`: times of the whole run.
+  virtual void finish(const char* /*status*/, const StageTimes& /*stages*/) {}
+};
+
 /// Reports the progress of a run on standard error. Not thread-safe.
-class Progress {
+class Progress final : public RunListener {
  public:
   enum class Mode { automatic, terminal, ndjson, none };
 
   /// `automatic`: shows a bar on a terminal, and otherwise nothing. Tests pass another `descriptor`.
   explicit Progress(Mode mode, int descriptor = 2);
-  void start(int total);
-  /// Reports the progress of the pre-roll steps before the first frame.
-  void prepare(long done, long total);
-  /// Reports that a frame is done or already existed. `stages`: times of the frame and of preceding frames
-  /// that are not written. `stages.encode`: encoding time of any frames since the last call, because
-  /// encoding runs in parallel.
-  void frame(int number, const StageTimes& stages);
+  void start(int total) override;
+  void prepare(long done, long total) override;
+  void frame(int number, const StageTimes& stages) override;
   /// Reports the result of a check of the scene.
   void check(const std::string& what, int frame, std::optional<double> value, bool passed);
-  /// Reports the current counts, only in mode ndjson. `names` and `row` are comma separated.
-  void counts(int frame, std::string_view names, std::string_view row);
+  /// Reports the current counts, only in mode ndjson.
+  void counts(int frame, std::string_view names, std::string_view row) override;
   /// Writes an event given as a JSON object, only in mode ndjson.
   void event(const std::string& object) const;
   /// True if events are written (mode ndjson).
@@ -43,10 +59,9 @@ class Progress {
   /// Adds the name of a job to all following events, because several jobs write to the same output.
   void ofJob(std::string job) { job_ = std::move(job); }
   /// Clears the bar, before other messages are printed.
-  void clear();
-  /// Clears the bar and, in mode ndjson, writes the event "end". `status`: "ok", "interrupted" or "failed".
-  /// `stages`: times of the whole run.
-  void finish(const char* status = "ok", const StageTimes& stages = {});
+  void clear() override;
+  /// Clears the bar and, in mode ndjson, writes the event "end".
+  void finish(const char* status, const StageTimes& stages) override;
 
  private:
   void print();

@@ -31,7 +31,7 @@ bool keepsVelocity(const SequenceOptions& beside) {
 /// One run of a scene: steps the world, evaluates each frame's state summary, and draws the wanted frames.
 class Run {
  public:
-  Run(const scene::Scene& scene, const gl::Context& context, FrameSink& sink, Progress& progress,
+  Run(const scene::Scene& scene, const gl::Context& context, FrameSink& sink, RunListener& progress,
       const SequenceOptions& beside)
       : context_(context),
         sink_(sink),
@@ -180,7 +180,7 @@ class Run {
 
   const gl::Context& context_;
   FrameSink& sink_;
-  Progress& progress_;
+  RunListener& progress_;
   FieldFiles* fields_;
   bool writesCounts_;
   StageTimers timers_;
@@ -201,7 +201,7 @@ class Run {
 }  // namespace
 
 SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
-                              const std::vector<int>& frames, FrameSink& sink, Progress& progress,
+                              const std::vector<int>& frames, FrameSink& sink, RunListener& progress,
                               const SequenceOptions& beside) {
   SequenceResult result;
   std::exception_ptr failure;

@@ -57,6 +57,6 @@ struct SequenceOptions {
 /// after the last frame.
 [[nodiscard]] SequenceResult renderSequence(const scene::Scene& scene, const gl::Context& context,
                                             const std::vector<int>& frames, FrameSink& sink,
-                                            Progress& progress, const SequenceOptions& beside = {});
+                                            RunListener& progress, const SequenceOptions& beside = {});
 
 }  // namespace simreel::frame

@@ -113,6 +113,7 @@ void Player::readOrigin() {
   frame::Checkpoint again = frame::Checkpoint::load(options_.from);
   if (again.frame() == from_->frame() && again.stateHash() == from_->stateHash()) return;
   from_ = std::move(again);
+  info("checkpoint {} has changed: the run begins at frame {}", options_.from.string(), from_->frame());
   if (stage_ == nullptr) return;
   const auto origin = std::make_shared<const frame::WorldState>(from_->state());
   stage_->beginAt(origin);

@@ -125,7 +125,7 @@ class Pieces(Case):
         state = folder / "checkpoint.000009"
         whole = state.read_bytes()
         state.write_bytes(whole[:100] + b"?" + whole[101:])
-        self.bad(2, ["checkpoint.000009 cannot be used", "`simreel pieces simulate out/pieces` makes it again"], "pieces", "draw", "out/pieces", "1")
+        self.bad(6, ["checkpoint.000009 cannot be used: it is damaged", "`simreel pieces simulate out/pieces` makes it again"], "pieces", "draw", "out/pieces", "1")
         self.good("pieces", "simulate", "out/pieces")
         self.assertEqual(state.read_bytes(), whole)
         # Two processes draw the same piece. One of them uses a scratch disk.
@@ -194,7 +194,7 @@ class Pieces(Case):
         self.bad(2, [at, "another simulation"], "render", "town.json", "-o", "out/", "--from", at, "--seed", "9")
         self.bad(2, [at, "frame 2 lies before it", "--frames 5-"], "render", "town.json", "-o", "out/", "--from", at, "--frames", "2-9")
         self.bad(2, "nowhere", "render", "town.json", "-o", "out/", "--from", "nowhere")
-        self.bad(2, ["town.json cannot be used"], "render", "town.json", "-o", "out/", "--from", "town.json")
+        self.bad(2, ["town.json cannot be used: it is not a checkpoint"], "render", "town.json", "-o", "out/", "--from", "town.json")
         self.bad(2, ["none draws nothing", "--checkpoint-at"], "render", "town.json", "-o", "out/", "--frames", "none")
         self.bad(2, ["--checkpoint-at", "character 3"], "render", "town.json", "-o", "out/", "--checkpoint-at", "5,x")
         self.bad(2, ["--checkpoint-at", "cannot be resumed"], "render", "town.json", "-o", "a.mp4", "--checkpoint-at", "5")

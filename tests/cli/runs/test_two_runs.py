@@ -50,6 +50,18 @@ class TwoRuns(Case):
         self.finish(second)
         self.assert_out_is_whole()
 
+    def test_another_sweep_in_the_folder_of_a_running_one_is_refused(self):
+        """Takes 2 s."""
+        sweep = ("sweep", "slow.json", "--vary", "seed=1,2", "-o", "sw/", "-D", "time.duration=3000")
+        first = self.start(*sweep)
+        self.assertTrue(self.wait_until(lambda: list(self.folder.glob("sw/jobs/*/*.png")), first))
+        for more in ((), ("--overwrite",), ("--plan-only",)):
+            self.bad(6, ["another simreel is running another sweep in sw", "choose another folder"], *sweep, "--frames", "1", *more)
+        self.good(*sweep, "--plan-only")
+        first.kill()
+        first.communicate()
+        self.good(*sweep, "--frames", "1", "--overwrite")
+
     def test_a_killed_run_holds_no_lock(self):
         self.signal_after(1, "out", signal.SIGKILL, *self.run_of_slow)
         self.assertTrue((self.folder / "out/manifest.json.lock").exists())

@@ -107,7 +107,7 @@ TEST_CASE(
     progress.start(2);
     progress.frame(10, {0.5, 0.25, 0, 0});
     progress.frame(11, {});
-    progress.finish();
+    progress.finish("ok", {});
     std::fclose(file);
     return readFile(path, "progress");
   };
