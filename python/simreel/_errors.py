@@ -1,6 +1,7 @@
 """The exception and the warning of the package."""
 from __future__ import annotations
 
+import difflib
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
@@ -39,3 +40,16 @@ class Error(Exception):
 
     def __reduce__(self):  # allows pickling, so that errors of worker processes keep all their members
         return Error, (str(self), self.kind, [tuple(one) for one in self.mistakes])
+
+
+class UnknownName(Error, KeyError, AttributeError):
+    """Raised for a name that does not exist. It is also a KeyError and an AttributeError, as Python expects."""
+
+    def __init__(self, start: str, name: str, known: Iterable[str]) -> None:
+        names = list(known)
+        near = difflib.get_close_matches(name, names, 1)
+        super().__init__(f"{start} {', '.join(names) or 'none'}" + (f'; did you mean "{near[0]}"?' if near else ""))
+        self.suggestion = near[0] if near else None
+
+    def __str__(self) -> str:
+        return Exception.__str__(self)

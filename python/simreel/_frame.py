@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from ._array import Array
-from ._errors import Error
+from ._errors import Error, UnknownName
 from ._export import Export
 from ._pictures import Image
 
@@ -57,6 +57,10 @@ class Frame:
 
     def _repr_png_(self):
         return self.image()._repr_png_()
+
+
+def _without_ones(shape):
+    return tuple(length for length in shape if length != 1)
 
 
 def _fitted(name, values, dtype):
@@ -113,16 +117,18 @@ class Object:
     def __getitem__(self, array: str) -> numpy.ndarray:
         """Returns a state array, also one whose name is no name in Python."""
         if array not in self.arrays:
-            raise KeyError(self._unknown(array))
+            raise self._unknown(array)
         return self._scene._native.read(self.name, array).view(Array)
 
     def __setitem__(self, array: str, values: Any) -> None:
         if array not in self.arrays:
-            raise KeyError(self._unknown(array))
+            raise self._unknown(array)
         dtype, shape = self.arrays[array][1:3]
         values = numpy.asarray(values)
         if values.ndim == 0:
             values = numpy.broadcast_to(values, shape)
+        if _without_ones(values.shape) == _without_ones(shape):  # (24, 40) for (24, 40, 1)
+            values = values.reshape(shape)
         if values.shape != shape:
             raise Error(f"{self.name}.{array} has the shape {shape}, not {values.shape}")
         self._scene._native.write(self.name, array, _fitted(f"{self.name}.{array}", values, dtype))
@@ -132,17 +138,16 @@ class Object:
         if array in ("_scene", "name") or array.startswith("__"):
             raise AttributeError(array)
         if array not in self.arrays:
-            raise AttributeError(self._unknown(array))
+            raise self._unknown(array)
         return self[array]
 
     def __setattr__(self, array: str, values: Any) -> None:
         if array not in self.arrays:
-            raise AttributeError(self._unknown(array))
+            raise self._unknown(array)
         self[array] = values
 
-    def _unknown(self, array: str) -> str:
-        known = ", ".join(self.arrays) or "none"
-        return f'{self.kind} "{self.name}" has no array "{array}"; it has {known}'
+    def _unknown(self, array: str) -> UnknownName:
+        return UnknownName(f'{self.kind} "{self.name}" has no array "{array}"; it has', array, self.arrays)
 
     def __dir__(self):
         try:
@@ -157,7 +162,7 @@ class Object:
         which.
         """
         if array not in self.arrays:
-            raise KeyError(self._unknown(array))
+            raise self._unknown(array)
         return Export(self, array, member)
 
     def measure(self) -> dict[str, float]:

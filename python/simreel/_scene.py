@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from . import _arguments, _native
-from ._errors import Error
+from ._errors import Error, UnknownName
 from ._folder import folder_of
 from ._frame import Frame, Object
 from ._messages import Reporting, report, warn
@@ -268,8 +268,7 @@ class Scene:
 
     def __getitem__(self, name: str) -> Object:
         if name not in self._kinds:
-            known = ", ".join(self._kinds) or "none"
-            raise Error(f'the scene has no object "{name}"; it has {known}')
+            raise UnknownName(f'the scene has no object "{name}"; it has', name, self._kinds)
         return Object(self, name)
 
     def __iter__(self):

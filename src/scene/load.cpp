@@ -19,6 +19,7 @@
 #include "scene/value/asset_path.hpp"
 #include "scene/value/reader.hpp"
 #include "scene/value/value_reader.hpp"
+#include "scene/warm.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -322,6 +323,10 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     for (Object& object : scene.objects)
       if (auto* fitted = dynamic_cast<Fitted*>(object.parameters.get()))
         fitted->fitPicture(viewSize(scene));
+  const Node* time = root.find("time");
+  if (*version > 1 && context.diagnostics.count() == errorsBefore &&
+      (time == nullptr || time->find("start") == nullptr))
+    scene.time.start = warmUpOf(scene);
   if (namesKnown) checkFollowed(root, scene, context.diagnostics);
   if (context.diagnostics.count() == 0) openCamera(root, context, kinds, scene.camera);
   if (context.diagnostics.count() == 0) {

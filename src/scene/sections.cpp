@@ -231,6 +231,8 @@ void Bloom::describe(Fields& fields) {
 void Time::describe(Fields& fields) {
   fields.number("fps", fps, {0.001, 1e5}, "frames/s", "Frames per second.");
   fields.number("start", start, notNegative, "s", "Simulated time before frame 0.");
+  fields.leftOut(
+      "start", "0; in version 2 the longest life of particles, at most 4, if only emitters move by rules");
   fields.number("duration", duration, notNegative, "s",
                 "Length; there are round(duration * fps) frames, at least one.");
   constexpr double maxFrames = 1e7;

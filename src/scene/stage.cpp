@@ -83,6 +83,7 @@ void fillInFinish(const Material& own, const Leaves& leaves, bool pictured, Mate
   }
   if (pictured || finish.hasMaps() || !leaves("textureScale") || !leaves("bump")) return;
   finish.normals = own.finish.normals;
+  if (leaves("color")) finish.color = own.finish.color;
   material.textureScale = own.textureScale;
 }
 
@@ -123,6 +124,20 @@ bool isBelowGround(const Scene& scene) {
   return eye < scene.ground->height;
 }
 
+/// Gives a landscape the sky of daylight and the other objects its palette. Sun, lights and camera stay.
+void openStage(Scene& scene) {
+  const StageLook look = stageLook(Stage::Preset::daylight, false);
+  const Stage& stage = scene.stage;
+  if (scene.sky.picture.empty()) {
+    if (stage.leaves("sky.horizon")) scene.sky.horizon = look.horizon;
+    if (stage.leaves("sky.ground")) scene.sky.ground = look.horizon;
+  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    Object& object = scene.objects[i];
+    if (object.parameters->looks() != Parameters::Looks::landscape) fillInMaterial(object, i, stage, look);
+  }
+}
+
 }  // namespace
 
 void Stage::describe(Fields& fields) {
@@ -141,7 +156,11 @@ void Stage::describe(Fields& fields) {
 void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
   using Looks = Parameters::Looks;
   const bool landscape = anyIs(Looks::landscape, scene);
-  if (framed.empty() || (landscape && scene.stage.preset == Stage::Preset::automatic)) return;
+  if (landscape && scene.stage.preset == Stage::Preset::automatic) {
+    if (version > 1) openStage(scene);
+    return;
+  }
+  if (framed.empty()) return;
   const Stage& stage = scene.stage;
   const StageLook look = lookOf(scene);
   scene.staged = true;

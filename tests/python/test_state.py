@@ -120,8 +120,10 @@ class Exports(ModuleCase):
         self.assertRegex(repr(export), r"on the host \(.+\)")
         self.assertEqual(export.__dlpack_device__(), (1, 0))
         self.assert_same(numpy.from_dlpack(export), numpy.asarray(flag.positions))
-        with self.assertRaisesRegex(KeyError, "has no array"):
+        with self.assertRaisesRegex(KeyError, "has no array") as caught:
             flag.export("position")
+        self.assertIsInstance(caught.exception, simreel.Error)
+        self.assertEqual(caught.exception.suggestion, "positions")
         with self.assertRaisesRegex(simreel.Error, 'has no member "x"'):
             flag.export("positions", "x")
 

@@ -26,7 +26,8 @@ FUNCTION vec3 normalColor(vec3 n) {
 }
 
 // Returns the base colour with the edges of the triangle. w: barycentric weights at the pixel; right, above: weights one
-// pixel to the right and above. Triangles of a few pixels have fainter edges, so that a fine mesh is not all edges.
+// pixel to the right and above. Triangles of a few pixels have fainter edges, and the edges of still smaller ones, which no pixel can show,
+// become an even darker tone.
 FUNCTION vec3 edgedColor(vec3 base, vec3 w, vec3 right, vec3 above) {
   ROUNDED vec3 x = right - w;
   ROUNDED vec3 y = above - w;
@@ -35,8 +36,10 @@ FUNCTION vec3 edgedColor(vec3 base, vec3 w, vec3 right, vec3 above) {
                      inverseRoot(max(square.z, 1e-12f)));  // pixels from an edge to the opposite corner
   ROUNDED vec3 away = w * height;
   ROUNDED float line = clamp(1.1f - min(away.x, min(away.y, away.z)), 0.0f, 1.0f);
-  ROUNDED float strength = clamp(0.15f * min(height.x, min(height.y, height.z)), 0.1f, 1.0f);
-  ROUNDED float share = line * strength;
+  float small_ = min(height.x, min(height.y, height.z));
+  ROUNDED float strength = clamp(0.15f * small_, 0.25f, 1.0f);
+  ROUNDED float seen_ = clamp(0.6f * small_ - 1.0f, 0.0f, 1.0f);  // 0: the mean of the lines, 1: single lines
+  ROUNDED float share = (0.8f + seen_ * (line - 0.8f)) * strength;
   ROUNDED float bright = 0.2126f * base.x + 0.7152f * base.y + 0.0722f * base.z;
   vec3 edge = bright > 0.1f ? vec3(0.004f) : vec3(0.6f);
   ROUNDED vec3 color = base + share * (edge - base);

@@ -51,10 +51,6 @@ class Columns {
   std::map<std::pair<std::size_t, std::string>, std::string> cells_;
 };
 
-std::string withUnit(const MeasuredQuantity& quantity) {
-  return quantity.unit.empty() ? quantity.what : fmt::format("{} ({})", quantity.what, quantity.unit);
-}
-
 }  // namespace
 
 CollectedSweep collect(SweepPlan plan) {
@@ -88,7 +84,7 @@ std::string tableText(const CollectedSweep& sweep) {
       columns.set(i, "passed " + check.what, all ? "yes" : "no");
     }
     for (const MeasuredQuantity& quantity : result.quantities)
-      columns.set(i, withUnit(quantity), numberText(quantity.value));
+      columns.set(i, quantity.what, numberText(quantity.value));
     for (const auto& [name, value] : result.counts) columns.set(i, name, value);
   }
   std::string text = "job,state";

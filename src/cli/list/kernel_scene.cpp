@@ -5,8 +5,11 @@
 #include "sim/kernels/threads.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -72,6 +75,56 @@ Json sizeOf(glm::ivec3 size) {
   return size.y > 1 ? Json{size.x, size.y} : Json(size.x);
 }
 
+/// True for a kernel that, by its name, prepares the first state.
+bool preparesStart(const std::string& name) {
+  constexpr std::array<std::string_view, 6> words = {"init", "setup", "reset", "seed", "clear", "generate"};
+  const std::string low = lowered(name);
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return low.starts_with(word); });
+}
+
+/// Returns a name without the words that tell the two halves of a double buffer apart.
+std::string withoutHalf(const std::string& name) {
+  constexpr std::array<std::string_view, 15> words = {"previous", "current", "output", "input", "write",
+                                                      "next",     "prev",    "last",   "read",  "back",
+                                                      "front",    "new",     "old",    "out",   "in"};
+  const std::string low = lowered(name);
+  for (const std::string_view word : words)
+    if (const std::size_t at = low.find(word); at != std::string::npos)
+      return low.substr(0, at) + low.substr(at + word.size());
+  return low;
+}
+
+/// Names of what a kernel reads, and of what it writes and the shader reads under the other name: the two
+/// halves of a double buffer. Empty if the kernel has none.
+struct Halves {
+  std::string read, written;
+};
+
+/// Finds the halves of a kernel's double buffer among its buffers or textures.
+template <class List, class Alike>
+std::optional<Halves> halvesAmong(const List& list, const Alike& alike) {
+  for (const auto& from : list)
+    for (const auto& to : list)
+      if (!from.writes && to.writes && &from != &to && alike(from, to) &&
+          lowered(from.name) != withoutHalf(from.name) && lowered(to.name) != withoutHalf(to.name) &&
+          withoutHalf(from.name) == withoutHalf(to.name))
+        return Halves{from.name, to.name};
+  return std::nullopt;
+}
+
+std::optional<Halves> halvesOf(const kernels::Kernel& kernel) {
+  const auto ofTextures =
+      halvesAmong(kernel.textures, [](const kernels::Texture& a, const kernels::Texture& b) {
+        return a.type == b.type && a.values == b.values;
+      });
+  if (ofTextures) return ofTextures;
+  return halvesAmong(kernel.buffers, [](const kernels::Buffer& a, const kernels::Buffer& b) {
+    return isOpen(a) && isOpen(b) && a.counterOf.empty() && b.counterOf.empty() && a.previousOf.empty() &&
+           b.previousOf.empty();
+  });
+}
+
 Json buffersOf(const Memory& memory, const KernelGuess& guess, const std::set<std::string>& counted) {
   Json buffers = Json::object();
   for (const kernels::Buffer* buffer : memory.buffers) {
@@ -124,16 +177,37 @@ std::string sceneOf(const kernels::Shader& shader, const std::filesystem::path& 
   if (const Json buffers = buffersOf(memory, guess, countedOf(shader)); !buffers.empty())
     object["buffers"] = buffers;
   Json textures = Json::object();
-  for (const kernels::Texture* texture : memory.textures)
-    textures[texture->name] = sizeOf(KernelGuess::textureSize(*texture));
+  // The first half of a double texture starts with random cells, unless a kernel prepares it.
+  std::set<std::string> started;
+  const auto prepares = [](const kernels::Kernel& kernel) { return preparesStart(kernel.name); };
+  if (std::none_of(shader.kernels.begin(), shader.kernels.end(), prepares))
+    for (const kernels::Kernel& kernel : shader.kernels)
+      if (const std::optional<Halves> halves = halvesOf(kernel)) started.insert(halves->read);
+  for (const kernels::Texture* texture : memory.textures) {
+    const Json size = sizeOf(KernelGuess::textureSize(*texture));
+    if (started.contains(texture->name))
+      textures[texture->name] = {{"size", size}, {"start", {{"r", "step(0.7, random(1))"}}}};
+    else
+      textures[texture->name] = size;
+  }
   if (!textures.empty()) object["textures"] = textures;
   Json constants = Json::object();
-  Json step = Json::array();
+  Json step = Json::array(), first = Json::array();
+  const bool onlyPrepares = std::all_of(shader.kernels.begin(), shader.kernels.end(), prepares);
   const std::set<std::string> counted = countedOf(shader);
   for (const std::string& name : counted)
     if (!name.empty()) step.push_back({{"clear", name + ".counter"}});
   for (const kernels::Kernel& kernel : shader.kernels) {
-    step.push_back(entryOf(kernel, guess, counted));
+    Json entry = entryOf(kernel, guess, counted);
+    if (prepares(kernel) && !onlyPrepares) {
+      first.push_back(entry);
+    } else {
+      if (const std::optional<Halves> halves = halvesOf(kernel)) {
+        if (entry.is_string()) entry = Json{{"kernel", entry}};
+        entry["swap"] = {halves->read, halves->written};
+      }
+      step.push_back(entry);
+    }
     for (const kernels::Block& block : kernel.blocks) {
       if (block.name == "simreel_Samplers") continue;
       for (const sim::KernelSlot& constant : sim::slotsOf(block.members))
@@ -142,6 +216,7 @@ std::string sceneOf(const kernels::Shader& shader, const std::filesystem::path& 
     }
   }
   if (!constants.empty()) object["constants"] = constants;
+  if (!first.empty()) object["first"] = first;
   object["step"] = step;
   const Json scene = {{"version", 2}, {"objects", {{"mine", {{"kernels", object}}}}}};
   return scene.dump(2) + "\n";

@@ -45,7 +45,9 @@ void ColorBarParameters::describe(scene::Fields& f) {
   f.asset("font", font, "A TrueType or OpenType file.");
   f.leftOut("font", "Open Sans, which ships with simreel");
   f.color("color", color, scene::notNegative, "Colour of text and ticks, linear RGB.");
+  if (f.version() > 1 && !f.given("backdrop")) backdrop = 0.7F;
   f.number("backdrop", backdrop, scene::fraction, "", "Opacity of the dark panel behind it.");
+  f.leftOut("backdrop", "0.45; in version 2 0.7");
   placed = f.given("corner");
   if (horizontal && !placed) corner = {0.3F, 0.88F, 0};
   if (!(extent.x > 0 && extent.y > 0)) f.error("extent", "\"extent\" needs a width and a height above 0");

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "sim/ports/field_source.hpp"
+#include "sim/ports/landform.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,16 @@ namespace simreel::sim {
 void IsolineParameters::describe(scene::Fields& f) {
   f.text("of", of,
          "Field whose values the lines join: NAME or NAME.PART. They lie over the display of that object.");
+  f.text(
+      "terrain", terrain,
+      "Object whose heights the lines join, on its surface in the world, instead of \"of\": a mesh, water "
+      "(its ground), or kernels with a \"terrain\".");
+  f.number("scale", scale, scene::anyNumber, "1/m", "Change of the value with the height, on a terrain.");
+  f.number("zero", zero, scene::anyNumber, "", "Value at the height 0, on a terrain.");
   f.optionalNumber("every", every, scene::positive, "", "Distance between the values of two lines.");
-  f.leftOut("every", "a round number that gives about ten lines in the range of the field's colours");
+  f.leftOut(
+      "every",
+      "a round number that gives about ten lines in the range of the field's colours, or of the heights");
   f.formula("at", at, "", "Values of the lines instead: a list of numbers.");
   f.leftOut("at", "multiples of \"every\"");
   f.integer("bold", bold, {0, 100}, "",
@@ -26,15 +35,24 @@ void IsolineParameters::describe(scene::Fields& f) {
   f.text("unit", unit, "Unit after the numbers.");
   f.color("color", color, scene::notNegative, "Colour of lines and numbers, linear RGB.");
   f.number("opacity", opacity, scene::fraction, "", "Opacity of lines and numbers.");
-  f.number("width", width, {1e-4, 0.1}, "",
-           "Width of a line, as a fraction of the picture's height; thick ones are twice as wide.");
-  f.number("height", height, {0.001, 1}, "",
-           "Height of capital letters, as a fraction of the picture's height.");
+  f.number(
+      "width", width, {1e-4, 0.1}, "",
+      "Width of a line, as a fraction of the picture's height, or of the terrain's longer side; thick ones "
+      "are twice as wide.");
+  f.number(
+      "height", height, {0.001, 1}, "",
+      "Height of capital letters, as a fraction of the picture's height, or of the terrain's longer side.");
   f.asset("font", font, "A TrueType or OpenType file.");
   f.leftOut("font", "Open Sans, which ships with simreel");
   f.idleUnless(labels, "labels", {"unit", "height", "font"}, "\"labels\": true");
   f.idleUnless(at.empty(), "at", {"bold"}, "multiples of \"every\"");
-  if (of.empty()) f.error("of", "lines of which values? Give \"of\", the name of a field");
+  if (of.empty() && terrain.empty())
+    f.error("of", "lines of which values? Give \"of\", the name of a field, or \"terrain\"");
+  if (!of.empty() && !terrain.empty())
+    f.error("terrain", "\"of\" names the values already; leave out one of both");
+  f.idleUnless(!terrain.empty(), "terrain", {"scale", "zero"}, "lines on a \"terrain\"");
+  f.idleUnless(terrain.empty(), "terrain", {"opacity"}, "lines over a field");
+  if (scale == 0) f.error("scale", "with 0 all heights have the same value");
   if (every && !at.empty()) f.error("at", "\"every\" gives the values already; leave out one of both");
   if (at.moving || std::any_of(at.parts.begin(), at.parts.end(),
                                [](const scene::Formula::Part& part) { return !part.text.empty(); }))
@@ -48,6 +66,7 @@ std::filesystem::path IsolineParameters::fontFile() const {
 
 void IsolineParameters::ports(Ports& ports) const {
   if (!of.empty()) ports.requireFrom<FieldSource>(of, {"of"}, When::afterFrame);
+  if (!terrain.empty()) ports.requireFrom<Landform>(terrain, {"terrain"}, When::afterFrame);
 }
 
 namespace {
@@ -85,8 +104,8 @@ std::vector<IsoLevel> IsolineParameters::levels(glm::dvec2 colors, glm::dvec2 va
   const double first = std::ceil(values.x / step), last = std::floor(values.y / step);
   if (last - first >= maxIsoLevels)
     fail(ExitCode::usage,
-         "isolines of \"{}\": {:.0f} lines between {:g} and {:g}, at most {}; raise \"every\"", of,
-         last - first + 1, values.x, values.y, maxIsoLevels);
+         "isolines of \"{}\": {:.0f} lines between {:g} and {:g}, at most {}; raise \"every\"",
+         of.empty() ? terrain : of, last - first + 1, values.x, values.y, maxIsoLevels);
   const int digits = decimalsOf(step);
   for (double i = first; i <= last; ++i) {
     const double value = i == 0 ? 0 : i * step;

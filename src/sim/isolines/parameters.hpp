@@ -20,7 +20,10 @@ struct IsoLevel {
 
 /// Parameters of the object kind "isolines".
 struct IsolineParameters : ObjectParameters {
-  std::string of;               ///< name of a field, OBJECT or OBJECT.PART
+  std::string of;               ///< name of a field, OBJECT or OBJECT.PART; empty if `terrain` is given
+  std::string terrain;          ///< name of an object with a surface (Landform); empty if `of` is given
+  double scale = 1;             ///< factor from heights of the surface in metres to values
+  double zero = 0;              ///< value at the height 0
   std::optional<double> every;  ///< distance between two levels
   scene::Formula at;            ///< levels; if empty, multiples of `every`
   int bold = 0;                 ///< every `bold`-th level has a thick line; 0 for none
@@ -28,8 +31,9 @@ struct IsolineParameters : ObjectParameters {
   std::string unit;        ///< unit appended to the numbers
   glm::vec3 color{0.01F};  ///< line colour, linear RGB
   float opacity = 0.85F;
-  float width = 0.0022F;       ///< width of a line as a fraction of the picture's height
-  float height = 0.018F;       ///< height of capitals as a fraction of the picture's height
+  /// Width of a line and height of capitals as fractions of the picture's height, or on a surface of its
+  /// longer side.
+  float width = 0.0022F, height = 0.018F;
   std::filesystem::path font;  ///< font file; if empty, the bundled font
 
   void describe(scene::Fields& fields) override;

@@ -18,6 +18,7 @@
 #include "sim/kernels/races.hpp"
 #include "sim/kernels/reports.hpp"
 #include "sim/kernels/wind.hpp"
+#include "sim/ports/landform.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,11 @@ std::vector<std::filesystem::path> shaderFiles(const scene::Scene& scene) {
 
 namespace {
 
-class Kernels : public Simulation, public RaceChecked, public FrameStarter, public LaidOut {
+class Kernels : public Simulation,
+                public RaceChecked,
+                public FrameStarter,
+                public LaidOut,
+                public Landform {
  public:
   Kernels(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -152,6 +157,7 @@ class Kernels : public Simulation, public RaceChecked, public FrameStarter, publ
   bool grow() override { return drawn_.grow(); }
   [[nodiscard]] PointTable points() const override { return drawn_.points(); }
   [[nodiscard]] std::optional<MeshTable> mesh() const override { return drawn_.mesh(); }
+  [[nodiscard]] MeshTable landform() const override { return drawn_.mesh().value_or(MeshTable()); }
   [[nodiscard]] std::vector<double> measure() const override {
     std::vector<double> values;
     for (const KernelMeasure& one : parameters_.measured) values.push_back(measured(one));

@@ -9,6 +9,7 @@
 #include "sim/mesh/height_field.hpp"
 #include "sim/ports/color_scale.hpp"
 #include "sim/ports/field_source.hpp"
+#include "sim/ports/landform.hpp"
 #include "sim/ports/markers.hpp"
 #include "sim/ports/measured.hpp"
 
@@ -330,6 +331,8 @@ void KernelsParameters::makePlan(scene::Fields& f, std::shared_ptr<const kernels
   auto made = std::make_shared<KernelPlan>(*this, std::move(shader), announced, aliases);
   for (const KernelPlan::Mistake& mistake : made->mistakes())
     f.errorIn(mistake.path, mistake.begin, mistake.end, mistake.message);
+  // The field that is shown by default becomes part of the description, which `explain` prints.
+  if (!field && made->drawn().field) field = made->drawn().field;
   plan = std::move(made);
 }
 
@@ -382,6 +385,8 @@ void KernelsParameters::ports(Ports& ports) const {
   if (plan != nullptr)
     for (const KernelPlan::Quantity& quantity : plan->quantities())
       ports.requireFrom<Measured>(quantity.name, quantity.path, When::frameStart);
+  ports.provide<Landform>(plan != nullptr && (plan->drawn().terrain || plan->drawn().surface),
+                          " without a \"terrain\" or a \"surface\"");
   ports.provide<FluidWind>(wind.has_value(), " without \"wind\"");
   const bool collides = terrain && terrain->collides;
   ports.provide<Touchable>(collides);

@@ -13,6 +13,7 @@
 #include "sim/mesh/height_field.hpp"
 #include "sim/mesh/looks.hpp"
 #include "sim/mesh/quantities.hpp"
+#include "sim/ports/landform.hpp"
 
 #include <array>
 #include <bit>
@@ -59,7 +60,7 @@ struct NormalKernel {
   gl::Out<"normals"> normals;
 };
 
-class DeformedMesh : public Simulation, public ContactSolid {
+class DeformedMesh : public Simulation, public ContactSolid, public Landform {
  public:
   DeformedMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh,
                const Setting& setting)
@@ -157,6 +158,7 @@ class DeformedMesh : public Simulation, public ContactSolid {
   [[nodiscard]] std::string elementName(long element) const override {
     return "vertex " + std::to_string(element);
   }
+  [[nodiscard]] MeshTable landform() const override { return *mesh(); }
   [[nodiscard]] std::optional<MeshTable> mesh() const override;
   void connect(Outlets& outlets) override {
     if (heights_) outlets.provide(&*heights_);

@@ -11,6 +11,7 @@
 #include "sim/mesh/deform_rest.hpp"
 #include "sim/mesh/looks.hpp"
 #include "sim/mesh/parameters.hpp"
+#include "sim/ports/landform.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,7 @@ namespace simreel::sim {
 namespace {
 
 /// Mesh that keeps its shape and is moved by keyframes.
-class RigidMesh : public Simulation, public ContactSolid {
+class RigidMesh : public Simulation, public ContactSolid, public Landform {
  public:
   RigidMesh(const scene::Object& object, const MeshParameters& parameters, const Mesh& mesh,
             const Setting& setting)
@@ -70,6 +71,7 @@ class RigidMesh : public Simulation, public ContactSolid {
     for (const Part& part : parts_) addSurface(part.buffers ? *part.buffers : buffers_, part.material);
   }
 
+  [[nodiscard]] MeshTable landform() const override { return *mesh(); }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
     MeshTable table = buffers_.table(parameters_.model(time_));
     table.doubleSided = parameters_.doubleSided();

@@ -38,13 +38,10 @@ void MeshParameters::describe(scene::Fields& f) {
            "Shape that is generated, or \"file\": read from a file.");
   f.asset("file", file, "OBJ, PLY, STL, glTF or GLB, in m, for the shape \"file\".");
   scene::implyShape(f, shape, MeshShape::file, "file", file, "file", "plane");
-  const std::array<const char*, 5> others = {"shape", "size", "resolution", "deform", "blades"};
-  const auto given = [&](const char* key) { return f.given(key); };
-  if (f.version() > 1 && file.empty() && std::none_of(others.begin(), others.end(), given))
+  if (f.version() > 1 && file.empty() && !f.given("shape") && (f.given("radius") || f.given("tube")))
     shape = MeshShape::torus;
-  f.leftOut(
-      "shape",
-      "\"plane\", or \"file\" where \"file\" is given; in version 2 \"torus\" without a key of a plane");
+  f.leftOut("shape",
+            "\"plane\", or \"file\" where \"file\" is given; in version 2 \"torus\" with a radius");
   const bool flat = shape == MeshShape::plane || shape == MeshShape::grass;
   f.flatVector("size", size, {0, 1e4}, "m",
                "Width, height and depth of a box; width and depth of a plane or of a field of grass, as "
@@ -63,7 +60,15 @@ void MeshParameters::describe(scene::Fields& f) {
   f.number("bladeHeight", bladeHeight, {1e-4, 1e3}, "m", "Height of the tallest blades of grass.");
   f.number("bladeWidth", bladeWidth, {1e-5, 1e2}, "m", "Width of a blade of grass at its root.");
   describePlace(f);
+  if (f.version() > 1 && shape == MeshShape::plane && !f.given("shape") && !f.given("deform")) {
+    deform.list.resize(1);
+    deform.list.front().ripple.on = true;
+    deform.list.front().ripple.wavelength = 1.2F;
+    deform.list.front().ripple.amplitude = 0.12F;
+    deform.list.front().ripple.decay = 0.4F;
+  }
   deform.describe(f);
+  f.leftOut("deform", "[]; in version 2, of a mesh without \"shape\" and \"file\", a ripple");
   describeCollision(f);
   remarkShape(f);
   if (shape == MeshShape::file && file.empty())

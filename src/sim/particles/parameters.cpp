@@ -267,10 +267,16 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   l.leftOut("colorFrom", "0, or \"auto\" in version 2 for speed and mass");
   l.leftOut("colorTo", "1, or \"auto\" in version 2 for speed and mass");
   colors = describeColors(l, "particles");
+  const bool ownColors = l.given("colors") || l.given("colorStops");
   l.boolean("additive", additive, "Light that adds up and casts no shadow, for sparks and stars.");
   l.number("brightness", brightness, {0, 1e5}, "", "Factor on the colours of additive particles.");
   l.number("fade", fade, {0, 0.5}, "",
            "Fraction of life over which additive particles of an emitter fade in and out.");
+  if (l.version() > 1 && additive && !ownColors && colorBy != Instances::ColorBy::material) {
+    colors = {{0.16F, 0.02F, 0.1F}, {0.75F, 0.09F, 0.03F}, {1, 0.4F, 0.08F}, {1, 0.82F, 0.5F}};
+    if (colorBy == Instances::ColorBy::age) std::reverse(colors.begin(), colors.end());
+  }
+  l.leftOut("colors", "\"viridis\"; in version 2 the colours of fire for particles that are \"additive\"");
   if (shape == Instances::Shape::mesh && mesh.empty())
     l.error("shape", "shape \"mesh\" needs \"mesh\", a mesh file");
   if (colorRange.x == colorRange.y && !autoColors.any())
@@ -343,6 +349,17 @@ std::span<const scene::Quantity> ParticleParameters::quantities() const {
 }
 
 // Particles may fall without end, so only the positions of emitters determine the result.
+double ParticleParameters::warmUp() const {
+  constexpr double longest = 4;
+  double seconds = 0;
+  if (!groups.empty()) return 0;
+  for (const Emitter& emitter : emitters) {
+    if (emitter.from > 0) return 0;
+    seconds = std::max(seconds, static_cast<double>(emitter.lifetime) * (1 + emitter.lifetimeVariation));
+  }
+  return std::min(seconds, longest);
+}
+
 std::optional<float> ParticleParameters::supportHeight() const {
   if (emitters.empty()) return std::nullopt;
   const auto falls = [&](const Emitter& emitter) {

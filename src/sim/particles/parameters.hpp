@@ -1,6 +1,7 @@
 #pragma once
 #include "glsl/common/cpp.hpp"
 #include "scene/value/fields.hpp"
+#include "scene/warm.hpp"
 #include "sim/collide/mesh_colliders.hpp"
 #include "sim/core/auto_range.hpp"
 #include "sim/core/drawable.hpp"
@@ -85,7 +86,11 @@ struct BallParameters {
 
 enum class GravityMethod { none, allPairs, tree };  ///< named "none", "all-pairs" and "tree" in scenes
 
-struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shader::ParticleConstants {
+struct ParticleParameters : ObjectParameters,
+                            HasColorRange,
+                            TouchesMeshes,
+                            scene::HasWarmUp,
+                            shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
   std::vector<Emitter> emitters;
   GravityMethod method = GravityMethod::allPairs;
@@ -129,6 +134,9 @@ struct ParticleParameters : ObjectParameters, HasColorRange, TouchesMeshes, shad
   [[nodiscard]] std::optional<float> supportHeight() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool motionIsUnpredictable() const override { return true; }
+  /// Returns the longest life of a particle, at most 4 s, if all emitters start at once and there are no
+  /// groups; else 0.
+  [[nodiscard]] double warmUp() const override;
   void ports(Ports& ports) const override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override;
   [[nodiscard]] std::int64_t minLargestBufferBytes() const override {

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/ports/landform.hpp"
 
 namespace simreel::sim {
 
@@ -16,6 +17,12 @@ const PortInfo FieldSource::port = {
           const auto* ours = dynamic_cast<const OwnCells*>(&wanter);
           return theirs != nullptr && ours != nullptr && ours->readsCellsOf(*theirs);
         },
+};
+
+const PortInfo Landform::port = {
+    .name = "terrain",
+    .lacks = ", which has no surface for lines of equal height",
+    .none = "the scene has no mesh, water or terrain",
 };
 
 Field fieldNamed(const Links& links, const std::string& name) {

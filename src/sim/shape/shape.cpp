@@ -6,6 +6,12 @@
 #include "sim/mesh/shapes.hpp"
 #include "sim/ports/markers.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
 namespace simreel::sim {
 
 namespace {
@@ -50,6 +56,23 @@ class Shape : public Simulation {
   MeshBuffers buffers_;
 };
 
+constexpr int tilesAcross = 8;  ///< tiles of a repeat of the texture
+
+/// Returns a chequered texture of light and darker tiles.
+std::shared_ptr<const scene::Image> chequeredTiles() {
+  constexpr int texels = 32;  // side of a tile
+  constexpr std::array<std::uint8_t, 2> greys = {255, 214};
+  auto image = std::make_shared<scene::Image>();
+  image->name = "tiles";
+  image->size = glm::ivec2(tilesAcross * texels);
+  for (int row = 0; row < image->size.y; ++row)
+    for (int column = 0; column < image->size.x; ++column) {
+      const std::uint8_t grey = greys.at(static_cast<std::size_t>((row / texels + column / texels) % 2));
+      image->rgba.insert(image->rgba.end(), {grey, grey, grey, 255});
+    }
+  return image;
+}
+
 template <ColliderShape::Kind kind>
 SimulationKind shapeKind(const char* name, const char* doc) {
   return {{name, doc, [] { return std::make_unique<ShapeParameters>(kind); }}, {}, makeSimulation<Shape>};
@@ -84,8 +107,23 @@ std::optional<scene::Box> ShapeParameters::framedAlone() const {
   return box;
 }
 
+std::optional<scene::Material> ShapeParameters::look() const {
+  if (!tiled) return std::nullopt;
+  static const std::shared_ptr<const scene::Image> tiles = chequeredTiles();
+  constexpr float tile = 0.5F;  // side of a tile in metres
+  scene::Material material;
+  material.roughness = 0.38F;
+  material.finish.color.image = tiles;
+  const auto repeats = [](float length) {
+    return std::max(1.0F, std::round(length / (tile * tilesAcross)));
+  };
+  material.textureScale = {repeats(size.x), repeats(size.z), 1};
+  return material;
+}
+
 void ShapeParameters::describe(scene::Fields& f) {
   using Kind = ColliderShape::Kind;
+  tiled = shape.kind == Kind::plane && f.version() > 1;
   f.vector("position", shape.position, scene::anyNumber, "m",
            shape.kind == Kind::plane ? "A point of the plane, the middle of the drawn part." : "Centre.");
   f.vector("rotation", shape.rotation, scene::anyNumber, "degrees", "About x, then y, then z.");

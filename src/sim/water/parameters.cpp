@@ -2,6 +2,7 @@
 
 #include "sim/mesh/height_field.hpp"
 #include "sim/ports/field_source.hpp"
+#include "sim/ports/landform.hpp"
 #include "sim/ports/markers.hpp"
 
 #include <algorithm>
@@ -52,23 +53,27 @@ void WaterParameters::describe(scene::Fields& f) {
 }
 
 void WaterParameters::rainOnPond(scene::Fields& f) {
-  constexpr const char* flatKeys[] = {"level", "pools", "terrain", "rainfall", "drops", "rain", "strokes"};
+  constexpr const char* flatKeys[] = {"level", "pools", "terrain"};
+  constexpr const char* wetKeys[] = {"rainfall", "drops", "rain", "strokes"};
   f.leftOut("rain",
             "rain on a round pond, if none of \"level\", \"pools\", \"terrain\", \"rainfall\", "
-            "\"drops\" and \"strokes\" is given; else off");
-  if (std::any_of(std::begin(flatKeys), std::end(flatKeys),
-                  [&](const char* name) { return f.given(name); }))
-    return;
+            "\"drops\" and \"strokes\" is given; else off. In version 2 a pond stays a pond with the last "
+            "three");
+  const auto given = [&](const char* name) { return f.given(name); };
+  const bool wetted = std::any_of(std::begin(wetKeys), std::end(wetKeys), given);
+  if (std::any_of(std::begin(flatKeys), std::end(flatKeys), given) || (wetted && f.version() == 1)) return;
   const glm::vec2 extent = glm::vec2(size) * cell;
   const float smaller = std::min(extent.x, extent.y);
   isPond = true;
-  if (!rain) rain.emplace();
-  rain->rate = 60;
-  rain->radius = 0.017F * smaller;
-  rain->height = 0.017F * smaller;
-  if (f.version() > 1) {
-    rain->duration = 0.1;
-    rain->variation = 0.6;
+if (!wetted) {
+    if (!rain) rain.emplace();
+    rain->rate = 60;
+    rain->radius = 0.017F * smaller;
+    rain->height = 0.017F * smaller;
+    if (f.version() > 1) {
+      rain->duration = 0.1;
+      rain->variation = 0.6;
+    }
   }
   clarity = 0.045F * smaller;
   ground = {0.17F, 0.165F, 0.07F};
@@ -254,7 +259,9 @@ std::optional<scene::Box> WaterParameters::framed() const {
   const glm::vec3 extent = cell * glm::vec3(size.x, 0, size.y);
   glm::vec3 reach = (isPond ? 0.15F : 0.5F) * extent;
   reach.y = 0.51F * std::max(reach.x, reach.z);
-  const glm::vec3 middle = position + glm::vec3(0, level, 0);
+  // Dry ground is framed by its own heights.
+  const bool dry = !terrain.empty() && level < std::min(terrainLow, terrainHigh);
+  const glm::vec3 middle = position + glm::vec3(0, dry ? 0.5F * (terrainLow + terrainHigh) : level, 0);
   return scene::Box{middle - reach, middle + reach};
 }
 
@@ -265,6 +272,7 @@ bool WaterParameters::isTorus() const {
 void WaterParameters::ports(Ports& ports) const {
   ports.want<HeightField>(groundObject, {"terrain", "object"});
   ports.provide<FieldSource>().parts = {"speed", "level"};
+  ports.provide<Landform>();
   ports.provide<HeightField>(collides).path = {"collides"};
   ports.provide<Touchable>(collides);
 }

@@ -7,6 +7,7 @@
 #include "sim/grid/sheet_mesh.hpp"
 #include "sim/mesh/height_field.hpp"
 #include "sim/mesh/looks.hpp"
+#include "sim/ports/landform.hpp"
 #include "sim/water/float_kernels.hpp"
 #include "sim/water/ground.hpp"
 #include "sim/water/kernels.hpp"
@@ -38,7 +39,7 @@ HeightPlan heightsOf(const WaterParameters& p, double frameSeconds) {
   return {plane, frameSeconds};
 }
 
-class Water : public Simulation {
+class Water : public Simulation, public Landform {
  public:
   Water(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -153,15 +154,14 @@ class Water : public Simulation {
     return arrays;
   }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
-    auto positions = kernels_.shown().buffer().readAll<glm::vec4>();
-    const shader::WaterLook look = plan_.look();
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      const int row = static_cast<int>(i) / size_.x;
-      const int column = static_cast<int>(i) % size_.x;
-      positions[i].x = look.left + static_cast<float>(column) * look.cell;
-      positions[i].z = look.back + static_cast<float>(row) * look.cell;
-    }
-    return sheetMesh(size_, positions);
+    return sheet(kernels_.shown().buffer().readAll<glm::vec4>());
+  }
+  /// Returns the ground.
+  [[nodiscard]] MeshTable landform() const override {
+    auto cells = kernels_.cells().buffer().readAll<glm::vec4>();
+    const float base = plan_.look().base;
+    for (glm::vec4& cell : cells) cell.y = base + cell.w;
+    return sheet(std::move(cells));
   }
   void connect(Outlets& outlets) override {
     if (heights_) outlets.provide(&*heights_);
@@ -197,6 +197,17 @@ class Water : public Simulation {
   }
 
  private:
+  /// Returns the mesh of a grid of points whose heights are given; their x and z are set here.
+  [[nodiscard]] MeshTable sheet(std::vector<glm::vec4> positions) const {
+    const shader::WaterLook look = plan_.look();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const int row = static_cast<int>(i) / size_.x;
+      const int column = static_cast<int>(i) % size_.x;
+      positions[i].x = look.left + static_cast<float>(column) * look.cell;
+      positions[i].z = look.back + static_cast<float>(row) * look.cell;
+    }
+    return sheetMesh(size_, positions);
+  }
   /// Creates the drawing data other than the cells: two bytes per cell, and the indices of one row.
   void makeSurfaces() {
     const WaterParameters& p = plan_.parameters();

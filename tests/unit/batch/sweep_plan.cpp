@@ -124,7 +124,7 @@ TEST_CASE("sweep: results keep every digit, and distinguish missing from failed 
   const std::string table = tableText(collect(plan));
   CHECK(
       table.starts_with("job,state,objects.dish.grayScott.feed,render.samples,check energy of flag,"
-                        "passed energy of flag,mass of dish (kg),lost,town.ill\n"
+                        "passed energy of flag,mass of dish,lost,town.ill\n"
                         "0000,done,0.03,1,0.30000000000000004,yes,1e-300,,12\n"
                         "0001,missing,0.03,4,,,,,\n"));
   // Tests that a spreadsheet does not run cells as formulas. Their text comes from the author of a scene.

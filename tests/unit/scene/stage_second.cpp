@@ -78,6 +78,31 @@ TEST_CASE("stage: the rim of a glossy floor stands high") {
   CHECK(rise(R"("ground": {"roughness": 0.1}, )") > 0.9F);
 }
 
+TEST_CASE("stage: beside water, objects of version 2 have the colours of a palette") {
+  const std::string harbour = R"({"sea": {"water": {"level": 0}}, "b": {"box": {}}})";
+  const scene::Scene now = parsed(harbour);
+  CHECK_FALSE(now.staged);
+  CHECK(now.objects[1].material.color != parsed(harbour, "", 1).objects[1].material.color);
+  CHECK(now.sky.ground.at(0) == now.sky.horizon.at(0));
+  const scene::Scene given = parsed(harbour, R"("sky": {"ground": [1, 0, 0]}, )");
+  CHECK(given.sky.ground.at(0) == glm::vec3(1, 0, 0));
+}
+
+TEST_CASE("time: in version 2 emitters run for a particle's life before frame 0, if nothing else moves") {
+  const auto start = [](const std::string& more, int version = 2, const std::string& emitter = "{}") {
+    return parsed(fmt::format(R"({{"s": {{"particles": {{"emitters": [{}]}}}}{}}})", emitter, more), "",
+                  version)
+        .time.start;
+  };
+  CHECK(start("") == doctest::Approx(2.6));
+  CHECK(start("", 1) == 0);
+  CHECK(start("", 2, R"({"lifetime": 60})") == 4);
+  CHECK(start("", 2, R"({"from": 1})") == 0);
+  CHECK(start(R"(, "p": {"plane": {}})") == doctest::Approx(2.6));
+  CHECK(start(R"(, "c": {"cloth": {}})") == 0);
+  CHECK(parsed(R"({"s": {"particles": {"emitters": [{}]}}})", R"("time": {"start": 0}, )").time.start == 0);
+}
+
 TEST_CASE("stage: writing on the screen is dark on bright stages of version 2") {
   const std::string own = R"({"m": {"sphere": {}}, "t": {"text": {"screen": {"color": [1, 0, 0]}}}})";
   const std::string panel = R"({"m": {"sphere": {}}, "t": {"text": {"screen": {"backdrop": 0.5}}}})";

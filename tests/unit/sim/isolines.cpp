@@ -1,7 +1,10 @@
+#include "base/error.hpp"
+#include "scene/load.hpp"
 #include "sim/isolines/labels.hpp"
 #include "sim/isolines/lines.hpp"
 #include "sim/isolines/parameters.hpp"
 #include "sim/scale_bar/parameters.hpp"
+#include "sim/world/list.hpp"
 
 #include <cmath>
 #include <limits>
@@ -138,6 +141,25 @@ TEST_CASE("levels of isolines are multiples between the extremes of the values")
   parameters.every.reset();
   parameters.unit = "m";
   CHECK(textsOf(parameters.levels({0, 430}, {40, 160})) == Texts{"50 m", "100 m", "150 m"});
+}
+
+TEST_CASE("isolines take their values from a field or from a terrain") {
+  const auto mistake = [](const std::string& members) -> std::string {
+    try {
+      static_cast<void>(simreel::scene::parseScene(
+          R"({"version": 2, "objects": {"sea": {"water": {}}, "ball": {"sphere": {}}, "l": {"isolines": {)" +
+              members + "}}}}",
+          "scene.json", {}, kinds()));
+    } catch (const simreel::UserError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(mistake(R"("terrain": "sea", "every": 0.1)").empty());
+  CHECK(mistake("").find("lines of which values?") != std::string::npos);
+  CHECK(mistake(R"("of": "sea", "terrain": "sea")").find("leave out one of both") != std::string::npos);
+  CHECK(mistake(R"("terrain": "ball")").find("has no surface for lines") != std::string::npos);
+  CHECK(mistake(R"("terrain": "sea", "scale": 0)").find("the same value") != std::string::npos);
 }
 
 TEST_CASE("scale bars have round lengths that fit") {

@@ -146,7 +146,9 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #if SHOWN == 3
   return vec4(seen.at, 0.0f, 1.0f);
 #else
-  look.base = textureScale_.x > 0.0f ? checkerColor(seen.at, seen.across, seen.up) : vec3(0.2f);
+  // A mesh without coordinates has the same ones at all its vertices.
+  bool varies = seen.across != vec2(0) || seen.up != vec2(0);
+  look.base = textureScale_.x > 0.0f && varies ? checkerColor(seen.at, seen.across, seen.up) : vec3(0.2f);
 #endif
 #endif
 #ifdef METAL_ROUGH_MAP
