@@ -65,7 +65,7 @@ void WaterParameters::rainOnPond(scene::Fields& f) {
   const glm::vec2 extent = glm::vec2(size) * cell;
   const float smaller = std::min(extent.x, extent.y);
   isPond = true;
-if (!wetted) {
+  if (!wetted) {
     if (!rain) rain.emplace();
     rain->rate = 60;
     rain->radius = 0.017F * smaller;
