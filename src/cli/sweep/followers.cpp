@@ -17,8 +17,12 @@
 #include "cli/options/device_options.hpp"
 #include "cli/options/job_count.hpp"
 #include "cli/sweep/sweep_options.hpp"
+#include "frame/file/manifest.hpp"
+#include "frame/file/output_name.hpp"
+#include "frame/frames_spec.hpp"
 #include "frame/image.hpp"
 #include "frame/interrupt.hpp"
+#include "frame/sink/open_sink.hpp"
 #include "frame/sink/progress.hpp"
 
 #include <algorithm>
@@ -29,6 +33,7 @@
 #include <optional>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -44,6 +49,8 @@ struct FollowerOptions {
   std::string folder;
   std::vector<std::size_t> jobs;
   std::optional<int> frame;
+  std::string frames;  ///< frames whose sheets `collect` writes to `output`; empty for none
+  std::string output;
   SweepRunOptions run;
 };
 
@@ -98,7 +105,45 @@ void retry(const FollowerOptions& o) {
   runSweep(plan, all, o.run);
 }
 
+/// Returns the manifest of the first job that has frames. Throws UserError(usage) if there is none.
+frame::Manifest firstManifest(const batch::CollectedSweep& sweep) {
+  for (std::size_t job = 0; job < sweep.jobs.size(); ++job)
+    if (auto manifest = frame::readManifest(sweep.plan.jobFolder(job) / "manifest.json");
+        manifest && !manifest->frames.empty())
+      return *manifest;
+  fail(ExitCode::usage, "no job of {} has frames yet", sweep.plan.folder.string());
+}
+
+/// Writes the sheet of each frame of `frames` to `output`: all jobs side by side over time.
+void writeSheets(const batch::CollectedSweep& sweep, const FollowerOptions& o) {
+  const frame::Manifest manifest = firstManifest(sweep);
+  const auto frames = frame::parseFrames(o.frames, "--frames", manifest.frames.rbegin()->first);
+  for (const int frame : frames)
+    if (!manifest.frames.contains(frame))
+      fail(ExitCode::usage, "--frames {}: the jobs of {} have no frame {} (they have {} to {})", o.frames,
+           sweep.plan.folder.string(), frame, manifest.frames.begin()->first,
+           manifest.frames.rbegin()->first);
+  frame::OutputName output = frame::parseOutput(o.output, frames.size());
+  output.manifest = false;
+  frame::Image sheet = batch::contactSheet(sweep, frames.front());
+  frame::RunInfo run;
+  run.title = manifest.run.title;
+  run.sceneHash = manifest.run.sceneHash;
+  run.width = sheet.width;
+  run.height = sheet.height;
+  run.fps = manifest.run.fps;
+  const auto sink = frame::openSink(output, frame::Existing::overwrite, run, frames, "rgba");
+  for (const int frame : frames) {
+    if (frame != frames.front()) sheet = batch::contactSheet(sweep, frame);
+    sink->add({.frame = frame, .stateHash = {}}, std::move(sheet));
+  }
+  sink->finish();
+  info("{}", sink->summary());
+}
+
 void writeCollected(const FollowerOptions& o) {
+  if (o.frames.empty() != o.output.empty())
+    fail(ExitCode::usage, "--frames and --output of `sweep collect` need each other");
   const auto sweep = batch::collect(batch::readSweepPlan(o.folder));
   const auto& folder = sweep.plan.folder;
   writeFileAtomically(folder / "table.csv", batch::tableText(sweep));
@@ -111,6 +156,7 @@ void writeCollected(const FollowerOptions& o) {
   writeFileAtomically(folder / "sheet.png", frame::encodePng(batch::contactSheet(sweep, o.frame), {}));
   const batch::SweepTally tally = tallyOf(sweep);
   info("{} -> {}sheet.png, index.html in {}", tally.text(), made, folder.string());
+  if (!o.output.empty()) writeSheets(sweep, o);
   setExitCode(tally.exitCode());
 }
 
@@ -253,6 +299,9 @@ void addSweepFollowers(CLI::App& sweep) {
   o->run.add(*add("retry", "Run the jobs that failed, were aborted or are missing", retry));
   auto* collect = add("collect", "Write table.csv, counts.csv, sheet.png and index.html", writeCollected);
   collect->add_option("--frame", o->frame, "Frame to show (default: the last of each job)");
+  collect->add_option("--frames", o->frames, "Also write the sheets of these frames to --output");
+  collect->add_option("-o,--output", o->output,
+                      "All jobs side by side over time: numbered pictures (sheet_####.png) or a video");
   addDevice(*add("shared", "Simulate the common beginning of all jobs once, if there is one", shared),
             o->run.on);
   auto* one = add("job", "Run single jobs in this process, as a cluster does", job);
