@@ -88,8 +88,9 @@ FUNCTION vec4 finishedCell(int x, int y) {
     if (heats) heat = valueIn(around(false, 2, seenFromCell(ix, iy)));
     if (obstaclesMove) pressure = seenThen(2, seenFromCell(ix, iy));
   }
-  return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), exactFlush(heat),
-              beyondOpen(x, y) ? 0.0f : exactFlush(pressure));
+  bool beyond = beyondOpen(x, y);
+  return vec4(beyondTopBottom(u, y), beyondLeftRight(v, x), beyond ? 0.0f : exactFlush(heat),
+              beyond ? 0.0f : exactFlush(pressure));
 }
 
 FUNCTION float throughThenU(int x, int y) {

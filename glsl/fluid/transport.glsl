@@ -50,7 +50,7 @@ FUNCTION float beyondLeftRight(float v, int x) {
   return value;
 }
 
-// Returns true if a cell of the ring is beyond an open side, where pressure and dye are 0.
+// Returns true if a cell of the ring is beyond an open side, where temperature, pressure and dye are 0.
 FUNCTION bool beyondOpen(int x, int y) {
   return (x < 0 && leftKind == openSide) || (x >= size.x && rightKind == openSide) || (y < 0 && topKind == openSide) ||
          (y >= size.y && bottomKind == openSide);

@@ -233,6 +233,20 @@ TEST_CASE(
   CHECK(worstV < 3e-4);
 }
 
+TEST_CASE("fluid: air that enters through an open side has the temperature 0") {
+  auto p = walledBath(12, 10);
+  p.top.kind = sim::FluidSide::Kind::open;
+  p.lift = 40.0F;
+  FluidTwin twin(sim::FluidPlan(p, "bath", 1, 0.02));
+  for (glm::vec4& cell : twin.flow) cell = glm::vec4(0, 0, 1, 0);
+  twin.setStep(twin.plan().stepAt(0, 1));
+  twin.advect();
+  twin.paint(0, 1);
+  twin.project();
+  CHECK(twin.flow[twin.index(5, -1)].z == 0);
+  CHECK(twin.flow[twin.index(5, 10)].z > 0.9F);  // a wall conducts no heat
+}
+
 TEST_CASE("fluid: the projection equals a dense Poisson solution, around obstacles and with an open side") {
   auto p = walledBath(19, 14);
   p.right.kind = sim::FluidSide::Kind::open;
