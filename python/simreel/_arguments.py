@@ -35,6 +35,13 @@ def text(name, value):
     return value
 
 
+def flag(name, value):
+    """Returns an argument that must be True or False."""
+    if value is not True and value is not False:
+        raise TypeError(f"{name} is True or False, not {value!r}")
+    return value
+
+
 def path(name, value):
     """Returns a path as a str."""
     if not isinstance(value, (str, os.PathLike)):

@@ -325,11 +325,11 @@ class Scene:
         if manifest is None:
             manifest = place.endswith("/")
         layers = [layers] if isinstance(layers, str) else _arguments.values("layers", layers, _arguments.text)
-        options = {"frames": _frames_text(frames), "overwrite": bool(overwrite), "resume": bool(resume),
-                   "manifest": bool(manifest), "layers": layers,
+        options = {"frames": _frames_text(frames), "overwrite": _arguments.flag("overwrite", overwrite),
+                   "resume": _arguments.flag("resume", resume), "manifest": _arguments.flag("manifest", manifest), "layers": layers,
                    "bits": None if bits is None else _arguments.integer("bits", bits),
                    "fields": None if fields is None else _arguments.text("fields", fields)}
-        bar = Bar(0, progress)
+        bar = Bar(0, None if progress is None else _arguments.flag("progress", progress))
         try:
             return self._native.render(place, options, bar.count if bar.shown else None)
         finally:

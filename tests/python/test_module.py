@@ -55,6 +55,8 @@ class Pictures(ModuleCase):
         before = (self.folder / "saved/000000.png").stat().st_mtime_ns
         with contextlib.redirect_stderr(io.StringIO()) as shown:
             scene.save(self.folder / "saved", range(4), resume=True, progress=True)
+            with self.assertRaisesRegex(TypeError, "resume is True or False"):
+                scene.save(self.folder / "saved", range(4), resume="no")
         self.assertIn("4/4 frames", shown.getvalue())
         self.assertEqual((self.folder / "saved/000000.png").stat().st_mtime_ns, before)
         self.good("-q", "render", "scene.json", "-o", "rendered/", "--frames", "0-3")

@@ -222,6 +222,7 @@ void WaterParameters::describeFlow(scene::Fields& f) {
                  "Part by which the heights of drops and the times between them vary at random.");
         r.number("from", of.from, scene::anyNumber, "s", "Time at which it begins.");
         r.number("until", of.until, scene::anyNumber, "s", "Time at which it ends.");
+        if (of.until < of.from) r.error("until", "the rain ends before it begins");
       });
   f.list("strokes", strokes, "Timed strokes of a brush, in cells: sources.",
          [](scene::Fields& s, StrokeParameters& stroke) {
