@@ -125,18 +125,17 @@ void writeSheets(const batch::CollectedSweep& sweep, const FollowerOptions& o) {
            manifest.frames.rbegin()->first);
   frame::OutputName output = frame::parseOutput(o.output, frames.size());
   output.manifest = false;
-  frame::Image sheet = batch::contactSheet(sweep, frames.front());
+  const frame::Image first = batch::contactSheet(sweep, frames.front());
   frame::RunInfo run;
   run.title = manifest.run.title;
   run.sceneHash = manifest.run.sceneHash;
-  run.width = sheet.width;
-  run.height = sheet.height;
+  run.width = first.width;
+  run.height = first.height;
   run.fps = manifest.run.fps;
   const auto sink = frame::openSink(output, frame::Existing::overwrite, run, frames, "rgba");
-  for (const int frame : frames) {
-    if (frame != frames.front()) sheet = batch::contactSheet(sweep, frame);
-    sink->add({.frame = frame, .stateHash = {}}, std::move(sheet));
-  }
+  for (const int frame : frames)
+    sink->add({.frame = frame, .stateHash = {}},
+              frame == frames.front() ? first : batch::contactSheet(sweep, frame));
   sink->finish();
   info("{}", sink->summary());
 }
