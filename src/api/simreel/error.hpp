@@ -11,7 +11,7 @@ enum class ErrorKind {
   scene,        ///< the scene has mistakes; see Error::mistakes()
   usage,        ///< a call has a wrong argument, or the scene does not allow it
   device,       ///< no device, a limit of the device, or a lost state (NaN) of a simulation
-  different,    ///< a frame differs from that of an earlier run, which Existing::resume kept
+  different,    ///< a frame differs from the frame that Existing::resume kept
   inputOutput,  ///< a file cannot be read or written, or is damaged
   process,      ///< this process is a fork of a process that had a device open
   interrupted,  ///< Device::interrupt() or the hook of Device::whileWaiting() ended the call

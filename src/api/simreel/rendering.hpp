@@ -19,7 +19,7 @@ enum class Existing {
   resume      ///< whole frames are kept, and the run goes on from its last checkpoint
 };
 
-/// Options of a rendering, those of `simreel render`.
+/// Options of a rendering. They have the meaning of the options of `simreel render`.
 struct RenderOptions {
   std::optional<std::string> frames = {};  ///< frames in the syntax of --frames, such as "0-99x2,150";
                                            ///< nullopt for all frames; "none" draws nothing

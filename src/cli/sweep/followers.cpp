@@ -105,7 +105,7 @@ void retry(const FollowerOptions& o) {
   runSweep(plan, all, o.run);
 }
 
-/// Returns the manifest of the first job that has frames. Throws UserError(usage) if there is none.
+/// Returns the manifest of the first job that has frames. Throws UserError(usage) if no job has frames.
 frame::Manifest firstManifest(const batch::CollectedSweep& sweep) {
   for (std::size_t job = 0; job < sweep.jobs.size(); ++job)
     if (auto manifest = frame::readManifest(sweep.plan.jobFolder(job) / "manifest.json");
