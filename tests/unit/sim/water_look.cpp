@@ -134,3 +134,17 @@ TEST_CASE("foam at a single steep cell spreads smoothly over its neighbours") {
     }
   CHECK(foam(2, 11) > shader::foamColors / 4);
 }
+
+TEST_CASE("water thinner than 1/200 of the greatest depth has no foam") {
+  for (const float depth : {0.01F, 0.2F}) {
+    CAPTURE(depth);
+    WaterTwin twin = water_look_help::rock(0);
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 5; ++x) {
+        const float bed = y == 12 && (x == 1 || x == 2) ? 0.4F : 0.0F;
+        twin.cells[static_cast<std::size_t>(y * 12 + x)] = {bed + depth, 0, 0, bed};
+      }
+    const auto shown = twin.look();
+    CHECK((static_cast<int>(shown[12 * 12 + 2].w) / shader::depthColors > 0) == (depth > 0.015F));
+  }
+}
