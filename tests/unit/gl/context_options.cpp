@@ -31,9 +31,9 @@ TEST_CASE("context options: hardware drivers refuse the texel path") {
   options.memoryPath = "texel";
   CHECK(options.memoryPathOn(true, "llvmpipe") == MemoryPath::texel);
   CHECK_THROWS_WITH_AS(
-      options.memoryPathOn(false, "NVIDIA H200"),
+      static_cast<void>(options.memoryPathOn(false, "NVIDIA H200")),
       doctest::Contains("is for software drivers; on NVIDIA H200 its results would be wrong"),
       simreel::UserError);
   options.memoryPath = "both";
-  CHECK_THROWS_AS(options.memoryPathOn(true, "llvmpipe"), simreel::UserError);
+  CHECK_THROWS_AS(static_cast<void>(options.memoryPathOn(true, "llvmpipe")), simreel::UserError);
 }
