@@ -4,6 +4,8 @@
 
 const int cellsBinding = 0;      // Words of cells (see cells.glsl)
 const int nextCellsBinding = 1;
+const int beforeBinding = 1;     // Words of cells of the stage before
+const int blendedBinding = 2;    // For each cell: a float between 0, open, and 1, rock
 const int labelsBinding = 1;     // For each run: lowest cell of its region
 const int tallyBinding = 2;      // For each region: number of cells. For each room: the tree to which the room belongs
 const int flagsBinding = 3;

@@ -36,3 +36,19 @@ FUNCTION uint mostlyRock(BitSum above, BitSum here, BitSum below) {
   uint exactlyTwo = (twos.two & ~twos.one & ~ones.two) | (~twos.two & twos.one & ones.two);
   return three | (exactlyTwo & ones.one);
 }
+
+// Returns the fraction at which a changing cell passes the contour's level, in 1024ths between 256 and 768. Cells beside
+// many cells of the new kind are first. The hash separates cells with equal neighbours, because the contour would jump
+// where a whole block of cells passes the level at once.
+FUNCTION uint turningPoint(uint newAround, uint hash) {
+  return 544u - 32u * newAround + (hash >> 16u) % 193u;
+}
+// Returns the value, 0 for open and 1 for rock, of a cell that has the bit `before` at fraction 0 and the bit `now` at
+// fraction 1. `newAround` is the number of cells, of the 8 around it, that had the bit `now` at fraction 0.
+FUNCTION float blendedCell(uint before, uint now, uint newAround, uint hash, float fraction) {
+  if (before == now) return float(now);
+  precise float turn = 0.0009765625f * float(turningPoint(newAround, hash));
+  precise float since = 2.0f * (fraction - turn);
+  precise float value = now == 1u ? 0.5f + since : 0.5f - since;
+  return clamp(value, 0.0f, 1.0f);
+}

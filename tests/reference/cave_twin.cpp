@@ -17,7 +17,7 @@ namespace simreel::shader {
 using namespace simreel;
 
 CaveTwin::CaveTwin(const sim::CaveParameters& parameters, int seed)
-    : parameters_(parameters), size_(parameters.size) {
+    : parameters_(parameters), seed_(seed), size_(parameters.size) {
   for (int y = 0; y < size_.y; ++y)
     for (int x = 0; x < size_.x; ++x) {
       const bool border = x == 0 || y == 0 || x == size_.x - 1 || y == size_.y - 1;
@@ -36,6 +36,29 @@ void CaveTwin::smooth() {
       next[index(x, y)] = around >= 5;
     }
   rock = next;
+}
+
+std::vector<float> CaveTwin::blended(const std::vector<bool>& before, float fraction) const {
+  const auto wasRock = [&](int x, int y) {
+    return x < 0 || y < 0 || x >= size_.x || y >= size_.y || before[index(x, y)];
+  };
+  std::vector<float> values;
+  for (int y = 0; y < size_.y; ++y)
+    for (int x = 0; x < size_.x; ++x) {
+      const bool now = rock[index(x, y)];
+      if (wasRock(x, y) == now) {
+        values.push_back(now ? 1.0F : 0.0F);
+        continue;
+      }
+      unsigned likeNow = 0;  // The cell itself is not counted, because it was of the other kind.
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) likeNow += wasRock(x + dx, y + dy) == now ? 1 : 0;
+      const unsigned chance = (shader::hash3(glm::uvec3(x, y, seed_)).y >> 16U) % 193U;
+      const float turn = static_cast<float>(544U - 32U * likeNow + chance) / 1024.0F;
+      const float since = 2.0F * (fraction - turn);
+      values.push_back(std::clamp(now ? 0.5F + since : 0.5F - since, 0.0F, 1.0F));
+    }
+  return values;
 }
 
 std::vector<int> CaveTwin::regions(bool ofRock) const {

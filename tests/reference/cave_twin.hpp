@@ -34,6 +34,8 @@ class CaveTwin {
   [[nodiscard]] std::optional<std::pair<glm::ivec2, glm::ivec2>> ends() const;
   /// Returns the total length of the corridors that connect() would dig.
   [[nodiscard]] long corridorLength() const;
+  /// Returns the value of each cell between the stage with the cells `before` and the current one.
+  [[nodiscard]] std::vector<float> blended(const std::vector<bool>& before, float fraction) const;
   /// Returns the cells in the GPU's memory layout.
   [[nodiscard]] std::vector<glm::uvec4> words() const;
 
@@ -51,5 +53,6 @@ class CaveTwin {
   [[nodiscard]] glm::ivec2 farthest(const std::vector<int>& distances) const;
 
   simreel::sim::CaveParameters parameters_;
+  int seed_;
   glm::ivec2 size_;
 };

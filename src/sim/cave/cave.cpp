@@ -99,13 +99,16 @@ class Cave final : public Simulation {
   void advanceTo(double time) {
     const int stage = parameters_.stageAt(time);
     const std::vector<float> heights = parameters_.heightsAt(time);
-    if (made_ && stage == growth_.stage() && heights == heights_) return;
+    const float transition = parameters_.transitionAt(time);
+    if (made_ && stage == growth_.stage() && transition == transition_ && heights == heights_) return;
     growth_.advance(std::max(stage, growth_.stage()));
     make(time);
   }
   void make(double time) {
     heights_ = parameters_.heightsAt(time);
-    solid_.make(map(), heights_);
+    transition_ = parameters_.transitionAt(time);
+    if (parameters_.moves()) growth_.blend(transition_);
+    solid_.make(parameters_.moves() ? blended() : map(), heights_);
     made_ = true;
     walk_.clear();
     for (const glm::dvec2& at : growth_.way().walk) walk_.push_back(placeOf(at));
@@ -128,6 +131,14 @@ class Cave final : public Simulation {
                    static_cast<float>(parameters_.display.high)};
     field.colors = &colors_;
     field.display = &parameters_.display;
+    return field;
+  }
+  /// Returns the field whose contours are the solid's walls while it moves from stage to stage.
+  [[nodiscard]] Field blended() const {
+    Field field = map();
+    field.words = &growth_.blended().view();
+    field.cells = Field::Cells::floats;
+    field.rowWords = 32 * growth_.grid().rowWords();
     return field;
   }
   void publishMap(Drawables& drawables) const {
@@ -154,6 +165,7 @@ class Cave final : public Simulation {
   Solid solid_;
   Walls walls_;
   std::vector<float> heights_;
+  float transition_ = 1;
   std::vector<glm::vec3> walk_;  ///< Points of the smoothed path in metres.
   bool made_ = false;
 };

@@ -15,6 +15,15 @@ struct CaveSmooth {
   gl::Out<"NextBlock"> next;
 };
 
+struct CaveBlend {
+  static constexpr auto file = "cave/blend.comp";
+  CavePart cave;
+  gl::Uniform<"fraction", float> fraction;
+  gl::Uniform<"seed", unsigned> seed;
+  gl::In<"BeforeBlock"> before;
+  gl::Out<"BlendedBlock"> blended;
+};
+
 namespace {
 
 struct CaveFill {
@@ -38,12 +47,18 @@ CaveGrid checked(const std::string& name, glm::ivec2 size) {
   return grid;
 }
 
+void copyCells(const gl::Buffer& from, const gl::Buffer& to) {
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glCopyNamedBufferSubData(from.name(), to.name(), 0, 0, static_cast<GLsizeiptr>(from.bytes()));
+}
+
 }  // namespace
 
 CaveGrowth::CaveGrowth(const std::string& name, const CaveParameters& parameters, int seed)
     : name_(name),
       parameters_(parameters),
       grid_(checked(name, parameters.size)),
+      seed_(static_cast<unsigned>(seed)),
       distances_(name + " distances", static_cast<int>(grid_.numbers() / 4)),
       smooth_(gl::Defines()),
       regions_(name, grid_),
@@ -51,14 +66,18 @@ CaveGrowth::CaveGrowth(const std::string& name, const CaveParameters& parameters
   cells_[0] = gl::WordsArray(name + " cells", grid_.words() / 4);
   cells_[1] = gl::WordsArray(name + " next cells", grid_.words() / 4);
   roomCells_ = gl::WordsArray(name + " cells of rooms", grid_.words() / 4);
-  fill(seed);
+  if (parameters_.moves()) {
+    blended_ = gl::WordsArray(name + " blended cells", static_cast<int>(grid_.numbers() / 4));
+    blend_ = gl::Kernel<CaveBlend>(gl::Defines());
+  }
+  fill();
 }
 
-void CaveGrowth::fill(int seed) {
+void CaveGrowth::fill() {
   gl::Kernel<CaveFill>(gl::Defines())
-      .dispatch(grid_.words(), {.cave = partOf(grid_, cells_[0].buffer()),
-                                .seed = static_cast<unsigned>(seed),
-                                .threshold = parameters_.threshold()});
+      .dispatch(
+          grid_.words(),
+          {.cave = partOf(grid_, cells_[0].buffer()), .seed = seed_, .threshold = parameters_.threshold()});
   gl::barrier();
 }
 
@@ -79,9 +98,7 @@ void CaveGrowth::clean() {
 }
 
 void CaveGrowth::connect() {
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glCopyNamedBufferSubData(cells_[0].buffer().name(), roomCells_.buffer().name(), 0, 0,
-                           static_cast<GLsizeiptr>(roomCells_.buffer().bytes()));
+  copyCells(cells_[0].buffer(), roomCells_.buffer());
   if (!parameters_.connect) return;
   regions_.label(cells_[0].buffer(), CaveKind::open);
   if (regions_.largest(cells_[0].buffer()).cells == 0) return;
@@ -116,6 +133,9 @@ void CaveGrowth::advance(int stage) {
   SIMREEL_CHECK(stage >= stage_ && stage <= parameters_.lastStage());
   while (stage_ < stage) {
     ++stage_;
+    // A smoothing step swaps the two arrays. The other steps change the cells in place.
+    if (parameters_.moves() && stage_ > parameters_.smoothing)
+      copyCells(cells_[0].buffer(), cells_[1].buffer());
     if (stage_ <= parameters_.smoothing)
       smooth();
     else if (stage_ == parameters_.smoothing + 1)
@@ -126,9 +146,20 @@ void CaveGrowth::advance(int stage) {
   }
 }
 
+void CaveGrowth::blend(float fraction) {
+  SIMREEL_CHECK(parameters_.moves());
+  blend_.dispatch({32 * grid_.rowWords(), grid_.size.y}, {.cave = partOf(grid_, cells_[0].buffer()),
+                                                          .fraction = fraction,
+                                                          .seed = seed_,
+                                                          .before = cells_[1].buffer(),
+                                                          .blended = blended_.buffer()});
+  gl::barrier();
+}
+
 void CaveGrowth::visitCheckpointData(CarryOver& carry) {
   carry.number("stage", stage_);
   carry.array("cells", cells_[0].buffer());
+  if (parameters_.moves()) carry.array("before", cells_[1].buffer());
   carry.array("rooms", roomCells_.buffer());
 }
 

@@ -22,6 +22,7 @@ struct CaveWay {
 };
 
 struct CaveSmooth;
+struct CaveBlend;
 
 /// Runs the cellular automaton on the GPU. Provides the cells of the current stage and the path in the
 /// finished cave.
@@ -39,6 +40,11 @@ class CaveGrowth {
   [[nodiscard]] const CaveGrid& grid() const { return grid_; }
   /// Returns the cells, one bit per cell, 1 for rock (glsl/cave/cells.glsl).
   [[nodiscard]] const gl::WordsArray& cells() const { return cells_[0]; }
+  /// Mixes the cells of the stage before with the current ones: `fraction` 0 gives the stage before, 1 the
+  /// current one. Only for caves that move between stages (CaveParameters::moves).
+  void blend(float fraction);
+  /// Returns the result of the last blend(): one 32-bit float per cell index, 1 for rock, 0 for open cells.
+  [[nodiscard]] const gl::WordsArray& blended() const { return blended_; }
   /// Returns one 32-bit float per cell index: the number of steps from the entrance, or -1 for unreachable
   /// cells.
   [[nodiscard]] const gl::WordsArray& distances() const { return distances_; }
@@ -49,7 +55,7 @@ class CaveGrowth {
   void visitCheckpointData(CarryOver& carry);
 
  private:
-  void fill(int seed);
+  void fill();
   void smooth();
   void clean();
   void connect();
@@ -58,11 +64,13 @@ class CaveGrowth {
   std::string name_;
   CaveParameters parameters_;
   CaveGrid grid_;
+  unsigned seed_;
   int stage_ = 0;
-  gl::WordsArray cells_[2];
+  gl::WordsArray cells_[2];   ///< Cells of the current stage and, if the cave moves, of the stage before.
   gl::WordsArray roomCells_;  ///< Copy of the cells before corridors are dug.
-  gl::WordsArray distances_;
+  gl::WordsArray distances_, blended_;
   gl::Kernel<CaveSmooth> smooth_;
+  gl::Kernel<CaveBlend> blend_;
   CaveRegions regions_;
   std::optional<CaveCorridors> corridors_;
   CaveWaves waves_;

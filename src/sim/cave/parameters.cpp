@@ -41,6 +41,13 @@ void CaveParameters::describe(scene::Fields& f) {
   f.number("stepSeconds", stepSeconds, {0, 1e6}, "s",
            "Time between the steps that grow the cave: each smoothing of the noise, then removal, then "
            "corridors; 0: all before the first frame.");
+  if (f.version() > 1 && !f.given("transition")) transition = 1;
+  f.number(
+      "transition", transition, {0, 1}, "",
+      "Part of each step in which the solid's walls move from the stage before to the new one; 0: they "
+      "jump. The cells and the path change at the start of the step.");
+  f.leftOut("transition", "1, or 0 in version 1");
+  f.idleUnless(stepSeconds > 0, "stepSeconds", {"transition"}, "a cave with \"stepSeconds\"");
   f.vector("position", position, scene::anyNumber, "m", "Middle of the floor.");
   f.number("cell", cell, scene::positive, "m", "Side of a cell.");
   f.number("height", height, scene::notNegative, "m", "Height of the walls.");
@@ -73,6 +80,13 @@ int CaveParameters::stageAt(double time) const {
   if (stepSeconds <= 0) return lastStage();
   const double stage = std::floor(time / stepSeconds + hair);
   return static_cast<int>(std::clamp(stage, 0.0, static_cast<double>(lastStage())));
+}
+
+float CaveParameters::transitionAt(double time) const {
+  const int stage = stageAt(time);
+  if (!moves() || stage == 0) return 1;
+  const double since = time / stepSeconds - stage + hair;
+  return static_cast<float>(std::clamp(since / transition, 0.0, 1.0));
 }
 
 std::optional<scene::Box> CaveParameters::framed() const {

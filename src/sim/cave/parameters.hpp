@@ -22,6 +22,9 @@ struct CaveParameters final : ObjectParameters, HasColorRange {
   int corridor = 3;        ///< Width of a corridor in cells.
   double stepSeconds = 0;  ///< Seconds per automaton step. If 0, the cave is finished before the first
                            ///< frame.
+  /// Part of an automaton step in which the solid moves from the stage before to the current one. If 0, it
+  /// changes at once.
+  double transition = 0;
   glm::vec3 position{0, -1.3F, 0};       ///< Centre of the floor in metres.
   float cell = 0.05F;                    ///< Cell width in metres.
   scene::Animated<float> height = 0.2F;  ///< Height of the walls in metres.
@@ -50,6 +53,10 @@ struct CaveParameters final : ObjectParameters, HasColorRange {
   [[nodiscard]] int lastStage() const { return smoothing + 2; }
   /// Returns the automaton's stage at `time` (seconds).
   [[nodiscard]] int stageAt(double time) const;
+  /// Returns the fraction, 0 to 1, of the transition to the stage at `time` (seconds).
+  [[nodiscard]] float transitionAt(double time) const;
+  /// Returns true if the solid moves from stage to stage.
+  [[nodiscard]] bool moves() const { return stepSeconds > 0 && transition > 0; }
   /// Returns 2^32 times the probability of rock, at most 2^32 - 1.
   [[nodiscard]] std::uint32_t threshold() const;
   /// Returns the shape of the solid with the heights at `time` (seconds).

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 
 using namespace simreel;
 
@@ -132,6 +133,88 @@ TEST_CASE("a cave equals its twin at every stage") {
       CHECK(!twin.isRock(path[i].x, path[i].y));
       if (i > 0) CHECK(std::abs(path[i].x - path[i - 1].x) + std::abs(path[i].y - path[i - 1].y) == 1);
     }
+  }
+}
+
+TEST_CASE("the cells of a cave between two stages equal their twin") {
+  testContext();
+  for (sim::CaveParameters p : {cave(1, 1), cave(131, 37)}) {
+    p.stepSeconds = 1;
+    p.transition = 1;
+    CaveTwin twin(p, 9);
+    sim::CaveGrowth growth("cave", p, 9);
+    const auto pitch = static_cast<std::size_t>(32 * growth.grid().rowWords());
+    for (int stage = 0; stage <= p.lastStage(); ++stage) {
+      const std::vector<bool> before = twin.rock;
+      growth.advance(stage);
+      if (stage > p.smoothing + 1)
+        twin.connect();
+      else if (stage > p.smoothing)
+        twin.clean();
+      else if (stage > 0)
+        twin.smooth();
+      for (const float fraction : {0.0F, 0.3F, 0.5F, 1.0F}) {
+        if (stage == 0 && fraction < 1) continue;
+        growth.blend(fraction);
+        const auto got = growth.blended().buffer().readAll<float>();
+        const std::vector<float> expected = twin.blended(before, fraction);
+        std::size_t different = 0;
+        for (int y = 0; y < p.size.y; ++y)
+          for (int x = 0; x < p.size.x; ++x)
+            if (got[static_cast<std::size_t>(y) * pitch + static_cast<std::size_t>(x)] !=
+                expected[twin.index(x, y)])
+              ++different;
+        CAPTURE(stage);
+        CAPTURE(fraction);
+        CHECK(different == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("the solid of a growing cave moves between stages without jumps") {
+  testContext();
+  sim::CaveParameters p = cave(61, 43);
+  p.stepSeconds = 1;
+  p.transition = 0.5;
+  CHECK(p.transitionAt(0) == 1);
+  CHECK(p.transitionAt(2) < 1e-5F);
+  CHECK(p.transitionAt(2.25) == doctest::Approx(0.5).epsilon(1e-4));
+  CHECK(p.transitionAt(2.75) == 1);
+  CHECK(p.transitionAt(100) == 1);
+  sim::CaveGrowth growth("cave", p, 5);
+  sim::Solid solid("cave", p.shape(0));
+  sim::Field field;
+  field.cells = sim::Field::Cells::floats;
+  field.size = p.size;
+  field.rowWords = 32 * growth.grid().rowWords();
+  const auto volumeAt = [&](float fraction) {
+    growth.blend(fraction);
+    field.words = &growth.blended().view();
+    solid.make(field, {0, 1});
+    solid.grow();
+    const sim::MeshTable mesh = solid.mesh();
+    double sum = 0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+      sum += glm::dot(mesh.positions[mesh.indices[i]], glm::cross(mesh.positions[mesh.indices[i + 1]],
+                                                                  mesh.positions[mesh.indices[i + 2]])) /
+             6;
+    return sum;
+  };
+  const double cell = static_cast<double>(p.cell) * static_cast<double>(p.cell);
+  double last = volumeAt(1);
+  for (int stage = 1; stage <= p.lastStage(); ++stage) {
+    growth.advance(stage);
+    CAPTURE(stage);
+    CHECK(std::abs(volumeAt(0) - last) < 1e-3 * cell);
+    last = volumeAt(0);
+    double largest = 0;
+    for (int i = 1; i <= 64; ++i) {
+      const double volume = volumeAt(static_cast<float>(i) / 64);
+      largest = std::max(largest, std::abs(volume - last));
+      last = volume;
+    }
+    CHECK(largest < 20 * cell);  // of 2623 cells
   }
 }
 
