@@ -132,17 +132,15 @@ vec4 groundAt(Kernel& kernel, ivec2 pixel, int sample) {
 /// ground last.
 vec4 lightOf(Kernel& kernel, const PictureTwinScene& scene, const std::uint32_t* ids, ivec2 pixel) {
   vec4 sum(0);
-  float compressed = 0;
   const auto add = [&](std::uint32_t id, int first) {
     int same = 0;
     for (int s = 0; s < kernel.samples; ++s) same += ids[s] == id ? 1 : 0;
     const vec4 light =
         id == groundId ? groundAt(kernel, pixel, first) : surfaceAt(kernel, scene, pixel, id, first);
     const float share = static_cast<float>(same) * kernel.perSamples();
-    sum = sum + light * share;
-    if (same == kernel.samples) return;
-    const float brightness = kernel.brightnessOf(vec3(light), kernel.frame.exposure);
-    compressed = compressed + kernel.compressedBrightness(brightness) * share;
+    float brightness = kernel.brightnessOf(vec3(light), kernel.frame.exposure);
+    if (id == groundId) brightness = brightness * exactReciprocal(max(light.w, 1e-6F));
+    sum = sum + light * kernel.edgeWeights(sum, share, brightness, same == kernel.samples);
   };
   for (const bool ground : {false, true})
     for (int s = 0; s < kernel.samples; ++s) {
@@ -150,7 +148,7 @@ vec4 lightOf(Kernel& kernel, const PictureTwinScene& scene, const std::uint32_t*
       for (int before = 0; before < s; ++before) again = again || ids[before] == ids[s];
       if (!again && ids[s] != nothing && (ids[s] == groundId) == ground) add(ids[s], s);
     }
-  return vec4(vec3(sum) * kernel.edgeFactor(sum, compressed, kernel.frame.exposure), sum.w);
+  return kernel.evenedLight(sum, kernel.frame.exposure);
 }
 
 std::uint8_t byteOf(float x) {

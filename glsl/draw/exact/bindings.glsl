@@ -25,6 +25,5 @@ const int halfPixelBinding = 0;  // storage block: output of the occlusion and r
 const int litBinding = 1;
 // Image units.
 const int sumImage = 0, pictureImage = 1, lightImage = 2, scatteredImage = 3;
-const int edgeImage = 1;  // compressed brightness; the kernels that use it write no picture
 const int nearnessImage = 4, arcImage = 5, opennessImage = 6, litImage = 7;
 #endif

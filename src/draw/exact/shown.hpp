@@ -51,8 +51,8 @@ struct SceneLight {
                                       ///< through, per sample; shading a layer updates it
   gl::Shared<"SpotBlock"> spots;      ///< visible surface points that rays light later
   gl::InOut<"sums"> sums;             ///< summed light of each pixel
-  gl::InOut<"edges"> edges;           ///< summed compressed brightness of each pixel with several
-                                      ///< primitives (glsl/draw/exact/screen/edge_light.glsl)
+  gl::Uniform<"linear", int> linear;  ///< 1 to average the samples of a pixel without compressed
+                                      ///< brightness (glsl/draw/exact/screen/edge_light.glsl)
 };
 
 struct ShadeVariant {

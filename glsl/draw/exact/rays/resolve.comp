@@ -11,34 +11,24 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = spotUnit) uniform usamplerBuffer spots;
 layout(binding = spotLightUnit) uniform samplerBuffer spotLight;
 layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
-#if SAMPLES > 1
-layout(r32f, binding = edgeImage) restrict uniform image2D edges;
-#endif
 uniform int raySamples;
+uniform int linear;  // 1 to keep linear averages
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, view.rows.x);
   if (pixel.x >= view.size.x || pixel.y >= view.rows.y) return;
   int first = firstSample(pixel);
   precise vec4 sum = imageLoad(sums, pixel);
-  precise float edge = 0.0f;
   for (int s = 0; s < SAMPLES; ++s) {
     int same = samplesShowing(first, s);
     if (same == 0) continue;
     float share = uintBitsToFloat(texelFetch(spots, 4 * (first + s) + 2).w);
-    precise float part = share * float(same) * perSamples();
-    float perRay = exactReciprocal(float(raysOf(same, raySamples)));
-    precise float factor = part * perRay;
+    precise float factor = share * float(same) * perSamples() * exactReciprocal(float(raysOf(same, raySamples)));
     vec3 light = texelFetch(spotLight, first + s).rgb;
-    sum = sum + vec4(light, 0.0f) * factor;
-    precise vec3 mean = light * perRay;
-    precise float compressed = compressedBrightness(brightnessOf(mean, frame.exposure)) * part;
-    // The sum of a pixel with blended layers or a fading ground becomes negative, which stands for a linear average.
-    edge = edge + (share < 1.0f ? -1e9f : same < SAMPLES ? compressed : 0.0f);
+    precise vec3 mean = light * exactReciprocal(float(raysOf(same, raySamples)));
+    // Light is compressed if the pixel's coverage is negative (edge_light.glsl).
+    float b = linear == 1 || sum.a >= 0.0f ? 0.0f : brightnessOf(mean, frame.exposure);
+    sum = sum + vec4(light, 0.0f) * (factor * compression(b));
   }
   imageStore(sums, pixel, sum);
-#if SAMPLES > 1
-  precise float edges_ = imageLoad(edges, pixel).x + edge;
-  imageStore(edges, pixel, vec4(edges_));
-#endif
 }

@@ -1,33 +1,38 @@
-// Compressed brightness, with which the samples of a pixel that shows several primitives are averaged. A plain mean of
-// linear light is dominated by the brightest sample, so that the edges of highlights look jagged. Compiles as GLSL and
-// as C++. Brightness is the mean of the three channels, times the exposure: 1 is about white.
+// Averages of the samples of a pixel that shows several primitives, with compressed brightness. A plain mean of linear
+// light is dominated by the brightest sample, so that the edges of highlights look jagged. Compressed light has a
+// negative coverage as its mark. Compiles as GLSL and as C++. Brightness is the mean of the three channels, times the
+// exposure: 1 is about white.
 FUNCTION float brightnessOf(vec3 light, float exposure) {
   precise float brightness = (light.r + light.g + light.b) * exposure * 0.333333343f;
-  return min(brightness, 1e6f);
+  return min(brightness, 6e4f);
 }
 
-// Compresses brightness above 1/2 to below 1, with a continuous slope: 1 - 1 / (4 b).
-FUNCTION float compressedBrightness(float b) {
-  precise float compressed = 1.0f - 0.25f * exactReciprocal(max(b, 0.5f));
-  return b <= 0.5f ? b : compressed;
+// Returns the factor that compresses light of brightness b above 1/2 to 1 - 1 / (4 b), with a continuous slope.
+FUNCTION float compression(float b) {
+  precise float inverse = exactReciprocal(max(b, 0.5f));
+  precise float factor = (1.0f - 0.25f * inverse) * inverse;
+  return b > 0.5f ? factor : 1.0f;
 }
 
-// Returns the inverse of compressedBrightness().
-FUNCTION float expandedBrightness(float compressed) {
-  precise float below = 1.0f - compressed;
-  precise float expanded = 0.25f * exactReciprocal(clamp(below, 2.5e-7f, 0.5f));
-  return compressed <= 0.5f ? compressed : expanded;
+// Returns the weights with which the light and the coverage of a primitive are added to a pixel whose light is `before`
+// so far. `share` is the fraction of the pixel that shows the primitive, and b is the primitive's brightness. The light
+// is compressed, unless the primitive fills the pixel (`whole`) or blended layers lie in front of it.
+FUNCTION vec4 edgeWeights(vec4 before, float share, float b, bool whole) {
+  precise float compressed = share * compression(b);
+  return whole || before.a > 0.0f ? vec4(share) : vec4(compressed, compressed, compressed, -share);
 }
 
-// Returns the factor on the light of a pixel whose samples have the mean compressed brightness `compressed` times the
-// coverage. `light` is the linear mean, with the coverage as alpha. The factor is 1 if the samples have similar
-// brightness.
-FUNCTION float edgeFactor(vec4 light, float compressed, float exposure) {
-  float perCoverage = exactReciprocal(max(light.a, 1e-6f));
-  precise float linear = brightnessOf(vec3(light), exposure) * perCoverage;
-  precise float mean = compressed * perCoverage;
-  float evened = expandedBrightness(mean);
-  precise float most = 0.999f * linear;
-  precise float factor = evened * exactReciprocal(max(linear, 1e-6f));
-  return compressed <= 0.0f || evened >= most ? 1.0f : factor;
+// Returns the light of a pixel, in which compressed light is expanded again. Light of samples below a brightness of 1/2
+// keeps its bits.
+FUNCTION vec4 evenedLight(vec4 light, float exposure) {
+  for (int i = light.a < 0.0f ? 0 : 1; i < 1; ++i) {
+    precise vec3 sum = vec3(light);
+    precise float cover = -light.a;
+    precise float b = brightnessOf(sum, exposure) * exactReciprocal(max(cover, 1e-6f));
+    precise float slope = b * (1.0f - b);
+    precise float factor = 0.25f * exactReciprocal(max(slope, 4e-6f));
+    sum = b > 0.5f ? sum * factor : sum;
+    light = vec4(sum, cover);
+  }
+  return light;
 }

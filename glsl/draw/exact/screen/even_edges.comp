@@ -1,5 +1,5 @@
-// Scales the light of the band's pixels that show several primitives of very different brightness, so that the edges of
-// highlights look smooth (edge_light.glsl). Resets the sums of compressed brightness. One invocation handles one pixel.
+// Expands the compressed light of the band's pixels that show several primitives, before other passes read or change the
+// light (edge_light.glsl). One invocation handles one pixel.
 #define EXACT_PICTURE
 #include "common/exact.glsl"
 #include "draw/frame_block.glsl"
@@ -8,19 +8,12 @@
 #include "draw/exact/screen/edge_light.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = sumImage) restrict uniform image2D sums;
-layout(r32f, binding = edgeImage) restrict uniform image2D edges;
-uniform int linear;  // 1 to keep the linear averages
+uniform int linear;  // 1 if the averages are linear
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, view.rows.x);
   if (at.x >= view.size.x || at.y >= view.rows.y) return;
-  float compressed = imageLoad(edges, at).x;
-  if (compressed == 0.0f) return;
-  imageStore(edges, at, vec4(0.0f));
-  if (linear == 1) return;
-  vec4 light = min(imageLoad(sums, at), 6e4f);
-  float factor = edgeFactor(light, compressed, frame.exposure);
-  if (factor == 1.0f) return;
-  precise vec3 evened = light.rgb * factor;
-  imageStore(sums, at, vec4(evened, light.a));
+  vec4 light = imageLoad(sums, at);
+  for (int i = light.a < 0.0f ? 0 : 1; i < 1; ++i)
+    imageStore(sums, at, min(evenedLight(light, linear == 1 ? 0.0f : frame.exposure), 6e4f));
 }

@@ -5,6 +5,7 @@
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
 #include "draw/exact/ground_plane.glsl"
+#include "draw/exact/screen/edge_light.glsl"
 #include "draw/exact/screen/light_read.glsl"
 #include "draw/sky.glsl"
 #include "draw/screen/film.glsl"
@@ -33,7 +34,7 @@ float asByte(float x) {
 }
 
 void finish(ivec2 at) {
-  vec4 drawn = min(LIGHT_AT(sums, at), 6e4f);
+  vec4 drawn = min(evenedLight(LIGHT_AT(sums, at), frame.exposure), 6e4f);
   precise vec2 place = vec2(at) + 0.5f;
 #ifdef TRANSPARENT
   precise vec3 light = drawn.rgb;

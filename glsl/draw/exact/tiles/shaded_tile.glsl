@@ -118,23 +118,20 @@ void keepShareOf(ivec2 pixel, int samples, float share, float alpha) {
 }
 #endif
 
-// EVENED: also sums the compressed brightness (screen/edge_light.glsl) of pixels that show several primitives. Pixels
-// behind blended layers get a negative sum, which stands for linear averages.
+// EVENED: compresses the light in pixels that show several primitives (screen/edge_light.glsl). FADES: the primitive's
+// light is multiplied by its alpha.
 #if SAMPLES > 1 && !defined REFLECTED && !defined SHOWN && !defined GLASS && !defined BLENDED
 #define EVENED
 #include "draw/exact/screen/edge_light.glsl"
-layout(r32f, binding = edgeImage) restrict uniform image2D edges;
+uniform int linear;  // 1 to keep linear averages
+int linear_ = once(linear);
 
-void addEdge(ivec2 pixel, vec3 light, int samples, float share) {
-  int count = bitCount(samples);
-  if (count == SAMPLES) return;
-  precise float part = compressedBrightness(brightnessOf(light, frame.exposure)) * share;
-#ifdef BEHIND
-  precise float whole = float(count) * perSamples();
-  part = share < whole ? -1e9f : part;
+vec4 evenedWeights(vec4 before, vec4 light, int samples, float share) {
+  precise float b = brightnessOf(light.rgb, frame.exposure);
+#ifdef FADES
+  b = b * exactReciprocal(max(light.a, 1e-6f));
 #endif
-  precise float sum = imageLoad(edges, pixel).x + part;
-  imageStore(edges, pixel, vec4(sum));
+  return edgeWeights(before, share, linear_ == 1 ? 0.0f : b, bitCount(samples) == SAMPLES);
 }
 #endif
 
@@ -148,9 +145,10 @@ vec4 withLight(ivec2 pixel, vec4 before, vec4 light, int samples) {
   keepShareOf(pixel, samples, share, light.a);
 #endif
 #ifdef EVENED
-  addEdge(pixel, light.rgb, samples, share);
-#endif
+  precise vec4 sum = before + light * evenedWeights(before, light, samples, share);
+#else
   precise vec4 sum = before + light * share;
+#endif
   return sum;
 }
 

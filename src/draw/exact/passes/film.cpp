@@ -4,9 +4,7 @@
 #include "draw/frame_values.hpp"
 #include "draw/rows_at_once.hpp"
 #include "gl/kernel/kernel.hpp"
-#include "sim/grid/field_display.hpp"
 
-#include <algorithm>
 #include <string>
 
 namespace simreel::draw {
@@ -38,12 +36,7 @@ namespace {
 class FieldsBehindPass final : public FramePass {
  public:
   using FramePass::FramePass;
-  [[nodiscard]] bool on() const override {
-    const std::vector<sim::Field>& fields = f.asked.frame.drawables->fields;
-    return std::any_of(fields.begin(), fields.end(), [](const sim::Field& field) {
-      return field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::behind;
-    });
-  }
+  [[nodiscard]] bool on() const override { return f.behindFields(); }
   void run() override {
     f.asked.overlays->fields.drawBehind(*f.asked.frame.drawables, f.asked.frame.seconds, f.light, true);
     if (f.passes != nullptr) f.passes->keepLight("glow", "fields", f.light, {0, f.size.y});

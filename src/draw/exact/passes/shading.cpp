@@ -3,7 +3,6 @@
 #include "gl/element_array.hpp"
 #include "gl/kernel/kernel.hpp"
 
-#include <array>
 #include <functional>
 
 namespace simreel::draw {
@@ -13,7 +12,6 @@ struct EdgesKernel {
   gl::Ambient<"FrameBlock"> frame = {};
   gl::Ambient<"ViewBlock"> view = {};
   gl::InOut<"sums"> light;
-  gl::InOut<"edges"> edges;
   gl::Uniform<"linear", int> linear;
 };
 
@@ -63,20 +61,17 @@ class SurfacesPass final : public FramePass {
   }
 };
 
-/// Evens the edges of highlights in opaque surfaces. Requested linear light keeps its linear averages.
+/// Expands compressed light at edges, if later passes read or change the light.
 class EdgesPass final : public FramePass {
  public:
   explicit EdgesPass(ExactFrame& frame) : FramePass(frame) {
-    if (!frame.edges) return;
-    constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
-    glClearTexImage(frame.edges.name(), 0, GL_RED, GL_FLOAT, none.data());
-    kernel_ = gl::Kernel<EdgesKernel>(gl::Defines());
+    if (frame.samples > 1) kernel_ = gl::Kernel<EdgesKernel>(gl::Defines());
   }
-  [[nodiscard]] bool on() const override { return static_cast<bool>(f.edges); }
+  [[nodiscard]] bool on() const override { return f.samples > 1 && !f.evensLast(); }
   void run() override {
     gl::barrier();
     kernel_.dispatch({f.size.x, f.values.rows.y - f.values.rows.x},
-                     {.light = f.light, .edges = f.edges, .linear = f.wanted && !f.wanted->filmed ? 1 : 0});
+                     {.light = f.light, .linear = f.linear() ? 1 : 0});
     gl::barrier();
   }
 

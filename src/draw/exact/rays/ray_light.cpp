@@ -143,8 +143,8 @@ struct ResolveSpots {
   gl::In<"spots"> spots;
   gl::In<"spotLight"> spotLight;
   gl::InOut<"sums"> sums;
-  gl::InOut<"edges"> edges;
   gl::Uniform<"raySamples", int> raySamples;
+  gl::Uniform<"linear", int> linear;
 };
 
 namespace {
@@ -331,8 +331,8 @@ void RayLight::follow(int firstSpot, int spots, int firstSample, int samples, fl
   if (gl::softwareDriver()) glFinish();
 }
 
-void RayLight::add(const Visibility& visibility, const gl::Texture& sums, const gl::Texture& edges,
-                   int rows, float white) {
+void RayLight::add(const Visibility& visibility, const gl::Texture& sums, bool linear, int rows,
+                   float white) {
   gl::barrier();
   const int spots = listSpots(visibility, rows);
   const int maximum = pathsAtOnce();
@@ -347,8 +347,8 @@ void RayLight::add(const Visibility& visibility, const gl::Texture& sums, const 
                                               .spots = spotView_,
                                               .spotLight = spotLightView_,
                                               .sums = sums,
-                                              .edges = edges ? gl::Resource(edges) : gl::Resource(),
-                                              .raySamples = raySamples_});
+                                              .raySamples = raySamples_,
+                                              .linear = linear ? 1 : 0});
   gl::barrier();
 }
 

@@ -45,11 +45,10 @@ class RayLight {
   /// Returns the buffer into which shading kernels store spots, the visible surface points
   /// (glsl/draw/exact/rays/spots.glsl).
   [[nodiscard]] const gl::Buffer& spots() const { return spots_; }
-  /// Adds the light of a band's spots to `sums`, and their compressed brightness to `edges` if there are
-  /// several samples per pixel. The uniform blocks of view, lights and frame must be bound. `white`: light
-  /// that the picture shows as white.
-  void add(const Visibility& visibility, const gl::Texture& sums, const gl::Texture& edges, int rows,
-           float white);
+  /// Adds the light of a band's spots to `sums`. The uniform blocks of view, lights and frame must be
+  /// bound. `linear`: true if no light is compressed (glsl/draw/exact/screen/edge_light.glsl). `white`:
+  /// light that the picture shows as white.
+  void add(const Visibility& visibility, const gl::Texture& sums, bool linear, int rows, float white);
 
  private:
   [[nodiscard]] PathVariant pathVariant(const RayFeatures& all) const;

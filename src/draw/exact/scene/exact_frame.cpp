@@ -2,6 +2,7 @@
 
 #include "draw/rows_at_once.hpp"
 #include "draw/surface/surface_pass.hpp"
+#include "sim/grid/field_display.hpp"
 
 #include <algorithm>
 
@@ -44,7 +45,6 @@ ExactFrame::ExactFrame(const scene::Scene& shown, const Environment* around, glm
       instances(count, {lit(), lights()}),
       groundShading(lights()),
       light(gl::Texture::image("light", GL_RGBA32F, pixels.x, pixels.y)) {
-  if (count > 1) edges = gl::Texture::image("edges of the picture", GL_R32F, pixels.x, pixels.y);
   if (occludes()) occlusion = Occlusion(pixels, visibility, ground);
   if (lamps.order().shadowed > 0 && !traces()) lampMaps.emplace(lamps);
   if (shadow.on()) sunMap.emplace("the shadow map", shadow.size(), 1, false);
@@ -102,8 +102,7 @@ SceneLight ExactFrame::sceneLight(const gl::Texture& into) const {
                  .through = {},
                  .spots = {},
                  .sums = into,
-                 .edges = {}};
-  if (edges) all.edges = edges;
+                 .linear = linear() ? 1 : 0};
   if (lampMaps && lampMaps->on()) all.lampKeys = lampMaps->keys().nearKeys();
   if (sunMap) all.sunMap = sunMap->nearKeys();
   if (occlusion.on()) all.openness = occlusion.openness();
@@ -111,6 +110,18 @@ SceneLight ExactFrame::sceneLight(const gl::Texture& into) const {
   if (reflections) all.litLevels = reflections->light();
   if (rays) all.spots = rays->spots();
   return all;
+}
+
+bool ExactFrame::behindFields() const {
+  const std::vector<sim::Field>& fields = asked.frame.drawables->fields;
+  return std::any_of(fields.begin(), fields.end(), [](const sim::Field& field) {
+    return field.display != nullptr && field.display->layer == sim::FieldDisplay::Layer::behind;
+  });
+}
+
+bool ExactFrame::evensLast() const {
+  return !mirrors && !glass.any() && views == 1 && passes == nullptr && !wanted &&
+         !ExactInstances::anyAdd(drawables) && !behindFields();
 }
 
 void ExactFrame::shadeGround(int which, const ShadeGround::Variant& variant, const gl::Texture& into) {

@@ -54,6 +54,13 @@ struct ExactFrame {
            (wanted &&
             std::find(wanted->layers.begin(), wanted->layers.end(), Layer::uv) != wanted->layers.end());
   }
+  /// True if the samples of a pixel are averaged linearly, as requested light is.
+  [[nodiscard]] bool linear() const { return wanted && !wanted->filmed; }
+  /// True if the picture shows fields behind the scene.
+  [[nodiscard]] bool behindFields() const;
+  /// True if the film and the bloom expand compressed light, because no pass before them reads or changes
+  /// the light of opaque surfaces.
+  [[nodiscard]] bool evensLast() const;
   [[nodiscard]] bool keepsLayers() const { return wanted && number == 0; }
   /// Returns the distance (m) from the camera to its target.
   [[nodiscard]] float away() const;
@@ -76,7 +83,7 @@ struct ExactFrame {
   /// Adds the path-traced light at the visible surface points (spots) of a band or of one of its blended
   /// layers.
   void addRays(const Visibility& visible) {
-    rays->add(visible, light, edges, values.rows.y - values.rows.x, white);
+    rays->add(visible, light, linear(), values.rows.y - values.rows.x, white);
   }
 
   const scene::Scene& scene;
@@ -136,8 +143,8 @@ struct ExactFrame {
   ExactInstances instances;
   gl::Kernels<ShadeGround> groundShading;
   std::optional<RayLight> rays;
-  gl::Texture light;  ///< RGB light of each pixel; alpha: coverage
-  gl::Texture edges;  ///< compressed brightness of pixels with several primitives; none with one sample
+  gl::Texture light;  ///< RGB light of each pixel; alpha: coverage, negative where the light is compressed
+                      ///< (glsl/draw/exact/screen/edge_light.glsl)
 };
 
 /// Base class of all passes.

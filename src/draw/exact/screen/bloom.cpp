@@ -12,6 +12,7 @@ namespace simreel::draw {
 
 struct BloomFirst {
   static constexpr auto file = "draw/exact/screen/bloom_first.comp";
+  gl::Ambient<"FrameBlock"> frame = {};
   gl::Uniform<"size", glm::ivec2> size;
   gl::Uniform<"threshold", float> threshold;
   gl::In<"scene"> light;

@@ -119,6 +119,28 @@ TEST_CASE("exact: whole pictures are the twin's in every byte") {
   }
 }
 
+TEST_CASE("exact: edges of highlights are the same whether a pass or the film expands their light") {
+  const glm::ivec2 size(91, 59);
+  scene::Scene scene = exactScene(4);
+  scene.render.exposure = 3.0F;
+  scene.render.bloom.strength = 0.5F;
+  const PictureTwinScene sheet = wavySheet(23);
+  TriangleStage stage(sheet.places, sheet.indices, sheet.normals);
+  stage.material.roughness = 0.35F;
+  const auto bytes = [&](draw::PassPicture* kept) {
+    draw::Renderer renderer(scene, size, 4, testOptions());
+    draw::Readback readback(size);
+    renderer.keepPasses(kept);
+    renderer.draw(0, {.surfaces = {stage.surface}});
+    readback.start(renderer.target(), 0);
+    return readback.nextPicture(true).value().second;
+  };
+  draw::PassPicture kept;
+  const auto late = bytes(nullptr);
+  CHECK(late == bytes(&kept));
+  CHECK(kept.arrays.size() > 0);
+}
+
 TEST_CASE("exact: triangles around the least area whose weights are their own are the twin's") {
   // At depths of 1e-14 m, the triangle areas (products of squared depths and pixels) are about 1e-25.
   const glm::ivec2 size(91, 59);
