@@ -46,7 +46,20 @@ def path(name, value):
     """Returns a path as a str."""
     if not isinstance(value, (str, os.PathLike)):
         raise TypeError(f"{name} is a path, not {value!r}")
-    return str(os.fspath(value))
+    given = str(os.fspath(value))
+    try:
+        given.encode("utf-8")
+    except UnicodeEncodeError:
+        raise Error(f"{name} has bytes that are not UTF-8: {given!r}; rename the file") from None
+    return given
+
+
+def folder(name, value):
+    """Returns the path of a folder that exists as a str."""
+    given = path(name, value)
+    if not os.path.isdir(given):
+        raise Error(f"{name} {given}: there is no such folder")
+    return given
 
 
 def values(name, given, one):

@@ -49,7 +49,10 @@ def _frames_text(frames):
         return frames
     if hasattr(frames, "__index__"):
         return str(_arguments.frame_number("frames", frames))
-    return ",".join(map(str, _arguments.values("frames", frames, _arguments.frame_number)))
+    numbers = _arguments.values("frames", frames, _arguments.frame_number)
+    if not numbers:
+        raise Error("frames is empty, so there is nothing to render")
+    return ",".join(map(str, numbers))
 
 
 def _file_suffix(source):
@@ -118,7 +121,7 @@ class Scene:
         self._changes = _pairs(changes)
         if isinstance(assets, (str, os.PathLike)):
             assets = [assets]
-        self._assets = _arguments.values("assets", assets, _arguments.path)
+        self._assets = _arguments.values("assets", assets, _arguments.folder)
         motion = bool(motion)
         if isinstance(source, dict):
             given = self._kernels.write({"version": 2, **source})
@@ -267,6 +270,8 @@ class Scene:
         return self._arrays
 
     def __getitem__(self, name: str) -> Object:
+        if not isinstance(name, str):
+            raise TypeError(f"objects are found by their names, not by {name!r}")
         if name not in self._kinds:
             raise UnknownName(f'the scene has no object "{name}"; it has', name, self._kinds)
         return Object(self, name)
@@ -321,6 +326,8 @@ class Scene:
         of OpenEXR pictures. `bits`: 16 in PNG, 32 in OpenEXR. `fields`: raw values beside the pictures, such as "npy".
         `progress`: shows a bar; None: on a terminal and in a notebook.
         """
+        if output == "-":
+            raise Error("save() writes files, and \"-\" is none; take the pictures with frames() and image()")
         place = _arguments.path("output", output) + ("/" if isinstance(output, pathlib.Path) and not output.suffix else "")
         if manifest is None:
             manifest = place.endswith("/")

@@ -319,6 +319,17 @@ class Errors(ModuleCase):
             self.assertEqual(raised.exception.kind, kind)
         self.assertFalse((self.folder / "x.jpg").exists())
 
+    def test_files_frames_and_objects_that_cannot_be_are_named(self):
+        scene, file = self.scene(), self.folder / "scene.json"
+        for use, words in ((lambda: scene.save("-"), 'save\\(\\) writes files, and "-" is none'),
+                           (lambda: scene.save("out/", frames=[]), "frames is empty"),
+                           (lambda: simreel.load("\udcff.json"), "bytes that are not UTF-8"),
+                           (lambda: simreel.load(file, assets=["none"]), r"assets\[0\] none: there is no such folder")):
+            with self.assertRaisesRegex(simreel.Error, words):
+                use()
+        with self.assertRaisesRegex(TypeError, "found by their names, not by 0"):
+            scene[0]
+
     def test_arguments_of_a_wrong_type_are_named(self):
         scene, file = self.scene(), self.folder / "scene.json"
         for use in (lambda: scene.step("x"), lambda: scene.advance_to(1.5), lambda: scene.frames("a"),
