@@ -86,8 +86,38 @@ FUNCTION vec3 nearestOf(Presser s, vec3 p) {
   return nearest;
 }
 
+// Returns the vector from the nearest point of a presser's axis to the point from which rooted shapes are pushed: the top
+// of a ball or of a horizontal capsule, and the axis of a vertical capsule. Blades below a ball therefore bend to the
+// ground. From the middle of the ball, the two sides of a blade would part and cover the ball.
+FUNCTION vec3 liftOf(Presser s) {
+  precise vec3 axis = vec3(s.end) - vec3(s.start);
+  precise float slope = axis.y * s.perLength2;
+  precise vec3 level = axis * slope;
+  precise vec3 lift = (vec3(0.0f, 1.0f, 0.0f) - level) * s.radius;
+  return lift;
+}
+
+// Pushes a point of a rooted shape away from the top of a presser. `nearest` is the point's nearest point on the axis.
+// Along the ray from the top, the surface is at the distance e and the end of the effect at f, and a distance t < f
+// becomes e + t (f - e) / f. Returns the displacement.
+FUNCTION vec3 bent(Presser s, vec3 nearest, float limit, vec3 p) {
+  vec3 lift = liftOf(s);
+  precise vec3 from = p - (nearest + lift);
+  float inverse = exactInverseSqrt(max(exactDot(from, from), 1e-12f));
+  precise float along = exactDot(from, lift) * inverse;
+  float lifted = exactDot(lift, lift);
+  precise float inner = along * along + (s.radius * s.radius - lifted);
+  precise float outer = along * along + (limit - lifted);
+  precise float surface = exactSqrt(max(inner, 0.0f)) - along;
+  precise float end = exactSqrt(max(outer, 0.0f)) - along;
+  precise float grown = surface * (inverse - exactReciprocal(end));
+  precise vec3 displacement = from * grown;
+  return displacement;
+}
+
 // Pushes a point away from moving pressers. With the softness s, a distance r < R + s from the axis of a presser of
-// radius R becomes R + r s / (R + s). For shapes rooted at the base, the effect grows with the height above the base.
+// radius R becomes R + r s / (R + s). Shapes rooted at the base are pushed away from the presser's top, by an effect that
+// grows with the height above the base.
 FUNCTION vec3 pushed(PushStep d, vec3 rest, vec3 p) {
   precise float weight = (rest.y - d.base) * d.perHeight;
   weight = clamp(weight, 0.0f, 1.0f);
@@ -95,12 +125,15 @@ FUNCTION vec3 pushed(PushStep d, vec3 rest, vec3 p) {
   for (int i = 0; i < deformStep.presserCount; ++i) {
     Presser s = deformStep.pressers[i];
     precise float reach = s.radius + d.softness;
-    precise vec3 from = p - nearestOf(s, p);
+    vec3 nearest = nearestOf(s, p);
+    precise vec3 from = p - nearest;
     float squared = exactDot(from, from);
     precise float limit = reach * reach;
     float inverse = exactInverseSqrt(max(squared, 1e-12f));
-    precise float grown = (s.radius * inverse + d.softness * exactReciprocal(reach) - 1.0f) * weight;
-    precise vec3 moved = p + from * grown;
+    precise float grown = s.radius * inverse + d.softness * exactReciprocal(reach) - 1.0f;
+    precise vec3 displacement = from * grown;
+    if (d.perHeight > 0.0f) displacement = bent(s, nearest, limit, p);
+    precise vec3 moved = p + displacement * weight;
     p = squared < limit ? moved : p;
   }
   return p;

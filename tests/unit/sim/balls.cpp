@@ -45,6 +45,22 @@ sim::ParticleParameters onSlope(int count, double friction) {
   return p;
 }
 
+/// Returns the path in metres of the upper one of three balls that lie in a triangle on the ground, after a
+/// quarter of a second.
+double sinkOf(float friction, bool rolls) {
+  sim::ParticleParameters p = onSlope(3, static_cast<double>(friction));
+  p.contact->rolls = rolls;
+  ParticlesTwin twin(sim::ParticlePlan(p, 1, balls::frame, 1 << 20, balls::box(0, double{friction})));
+  const float up = 0.05F + 0.1F * std::sqrt(0.75F);
+  const glm::vec3 at[] = {{-0.05F, 0.05F, 0}, {0.05F, 0.05F, 0}, {0, up, 0}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    twin.positions[i] = glm::vec4(at[i], 1);
+    twin.velocities[i] = glm::vec4(0);
+  }
+  balls::run(twin, 15);
+  return static_cast<double>(up - twin.positions[2].y);
+}
+
 }  // namespace balls_friction
 
 TEST_CASE("balls: an elastic head-on impact exchanges velocities by the closed form") {
@@ -295,6 +311,23 @@ TEST_CASE("balls: the slope of a heap grows with friction") {
   CAPTURE(slopes[0]);
   CAPTURE(slopes[1]);
   CHECK(slopes[1] > 3 * slopes[0]);
+}
+
+// A triangle of balls is the smallest pile; its sides have 60 degrees. Its lower balls are pushed apart by
+// N (sin 30 - mu cos 30), N (cos 30 + mu sin 30) being half of a weight, and the ground holds 1.5 mu
+// weights on each side. So balls without rotation stand if 1.5 mu^2 + 2 sqrt(3) mu >= 1/2. Balls that turn
+// would roll away unless the friction at both contacts is equal, so that the torques cancel; it is N tan 15
+// then. The rule for balls at rest also holds balls whose unbalanced force is below a tenth of the weight.
+TEST_CASE(
+    "balls: a triangle of three balls stands above mu = 0.136, or tan 15 degrees if they turn, and not at "
+    "three tenths") {
+  const double slides = (std::sqrt(15.0) - std::sqrt(12.0)) / 3, turns = std::tan(15 * M_PI / 180);
+  for (const bool rolls : {false, true}) {
+    CAPTURE(rolls);
+    const double least = rolls ? turns : slides;
+    CHECK(balls_friction::sinkOf(static_cast<float>(1.2 * least), rolls) < 0.001);
+    CHECK(balls_friction::sinkOf(static_cast<float>(0.3 * least), rolls) > 0.01);
+  }
 }
 
 TEST_CASE("balls: particles that overlap at the start are moved apart without speed") {

@@ -151,6 +151,38 @@ TEST_CASE("push leaves no vertex inside a sphere") {
   CHECK(moved > 100);
 }
 
+TEST_CASE("a blade of grass below a ball is bent to the ground, and does not become wider than twice") {
+  auto p = planeOf(1, {2, 2});
+  p.shape = sim::MeshShape::grass;
+  p.blades = 3000;
+  p.deform.list[0].push.on = true;
+  p.deform.list[0].push.height = 0.05F;
+  sim::ColliderShape ball;
+  ball.radius = 0.5F;
+  ball.position = glm::vec3(0.01F, 0.5F, 0.02F);
+  const Deformed d(p, 0, {ball});
+  int below = 0;
+  for (std::size_t i = 0; i < d.mesh.positions.size(); ++i) {
+    const glm::vec3 rest = d.mesh.positions[i];
+    if (std::hypot(rest.x, rest.z) > 0.2F) continue;
+    CHECK(d.cpu.positions()[i].y < 0.2F);
+    below += rest.y > 0.3F ? 1 : 0;
+  }
+  CHECK(below > 20);
+  const auto lengthOf = [](const auto& from, unsigned a, unsigned b) {
+    return glm::distance(glm::vec3(from[a]), glm::vec3(from[b]));
+  };
+  float widest = 0;
+  for (std::size_t i = 0; i < d.mesh.indices.size(); ++i) {
+    const unsigned a = d.mesh.indices[i], b = d.mesh.indices[i % 3 == 2 ? i - 2 : i + 1];
+    if (d.mesh.positions[a].y != d.mesh.positions[b].y) continue;
+    const float before = lengthOf(d.mesh.positions, a, b);
+    if (before > 1e-4F) widest = std::max(widest, lengthOf(d.cpu.positions(), a, b) / before);
+  }
+  CHECK(widest > 1.2F);
+  CHECK(widest < 3);
+}
+
 TEST_CASE("duplicate vertices at a seam share a normal; without usable faces the rest normal is kept") {
   sim::MeshParameters p;
   p.shape = sim::MeshShape::torus;

@@ -131,8 +131,8 @@ TEST_CASE("deform: sway grows with height squared and lowers the tip; parts belo
 }
 
 TEST_CASE(
-    "deform: push moves vertices from r to R + r s / (R + s), increases above the base and does not move "
-    "the axis") {
+    "deform: push moves vertices from r to R + r s / (R + s) away from the axis, or, if rooted, from t to "
+    "e + t (f - e) / f away from the top, by a part that grows with the height") {
   for (const float perHeight : {0.0F, 0.9F}) {
     shader::DeformStep step = stepOf({shader::pushKind});
     step.displacements[0].push.softness = 0.3F;
@@ -149,10 +149,19 @@ TEST_CASE(
             dvec3 p = rest;
             for (int i = 0; i < 2; ++i) {
               const shader::Presser& s = step.pressers[i];
-              const dvec3 from = p - nearestOn(dvec3(s.start), dvec3(s.end), p);
-              const double r = glm::length(from), radius = double{s.radius}, reach = radius + double{0.3F};
-              if (r == 0 || r >= reach) continue;
-              p += from / r * (radius + r * double{0.3F} / reach - r) * weight;
+              const dvec3 middle = nearestOn(dvec3(s.start), dvec3(s.end), p);
+              const double radius = double{s.radius}, reach = radius + double{0.3F};
+              if ((p == middle && perHeight == 0) || glm::length(p - middle) >= reach) continue;
+              // The axis of the first presser is horizontal, and the second presser is a ball.
+              const dvec3 top = middle + dvec3(0, perHeight > 0 ? radius : 0.0, 0);
+              const double t = glm::length(p - top);
+              const dvec3 along = (p - top) / t;
+              const auto exitOf = [&](double around) {
+                const double b = glm::dot(along, top - middle);
+                return std::sqrt(b * b + around * around - glm::dot(top - middle, top - middle)) - b;
+              };
+              const double e = exitOf(radius), f = exitOf(reach);
+              p += along * (e + t * (f - e) / f - t) * weight;
               ++moved;
             }
             return p;
