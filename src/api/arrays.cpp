@@ -24,7 +24,8 @@ struct Meaning {
   std::string_view name, unit;
   std::size_t components;
 };
-constexpr Meaning meanings[] = {{"positions", "m", 3}, {"velocities", "m/s", 3}, {"trends", "m/s", 3}};
+constexpr Meaning meanings[] = {
+    {"positions", "m", 3}, {"velocities", "m/s", 3}, {"trends", "m/s", 3}, {"spins", "rad/s", 3}};
 
 /// Returns the meaning of an array. Users' kernels choose the names of their arrays.
 Meaning meaningOf(std::string_view array) {

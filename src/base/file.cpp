@@ -152,10 +152,25 @@ int openPart(const std::filesystem::path& path, std::filesystem::path& part) {
 
 }  // namespace
 
+namespace {
+
+/// Opens a pipe or a device for writing. A pipe that no program reads is an error (ENXIO), because opening
+/// it would block forever.
+int openDevice(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK);
+  if (file >= 0) ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
+  return file;
+}
+
+}  // namespace
+
 PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
   if (isDevice(path_)) {
     open_ = false;
-    file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    file_ = openDevice(path_);
+    if (file_ < 0 && errno == ENXIO)
+      fail(ExitCode::inputOutput, "cannot write {}: it is a pipe or a socket that no program reads",
+           path_.string());
   } else {
     file_ = openPart(path_, part_);
   }

@@ -46,6 +46,9 @@ void checkRequest(const PiecesRequest& request, const frame::OutputName& output)
     fail(ExitCode::usage, "--pieces makes PNG pictures or a video, not {}", render.output);
   if (!render.from.empty() || !render.checkpointAt.empty())
     fail(ExitCode::usage, "--pieces keeps its own checkpoints; leave out --from and --checkpoint-at");
+  if (render.bits.value_or(8) != 8)
+    fail(ExitCode::usage, "--bits {} has no effect with --pieces, which makes pictures of 8 bits",
+         *render.bits);
   if (render.checkpoint)
     fail(ExitCode::usage, "--pieces keeps the state of each piece every 60 s; leave out --checkpoint");
   if (render.existing == frame::Existing::skip)

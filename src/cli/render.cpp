@@ -7,6 +7,7 @@
 #include "cli/options/scene_options.hpp"
 #include "cli/options/slurm_options.hpp"
 #include "cli/pieces.hpp"
+#include "frame/file/output_name.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/progress.hpp"
 #include "gl/context.hpp"
@@ -43,6 +44,7 @@ struct RenderFlags {
   bool noCounts = false, noManifest = false;
   std::optional<std::size_t> pieces;
   std::string jobs = "1";
+  std::optional<std::string> streamFormat;
   SlurmOptions cluster;
 };
 
@@ -90,6 +92,7 @@ RenderOptions optionsOf(const RenderFlags& o) {
   options.existing = existingPolicy(o);
   options.counts = !o.noCounts;
   options.manifest = !o.noManifest;
+  if (o.streamFormat) options.streamFormat = *o.streamFormat;
   options.command = commandLine();
   return options;
 }
@@ -124,17 +127,27 @@ RenderEvents shownBy(frame::Progress& progress) {
   return events;
 }
 
+/// Returns a sentence about the files of an interrupted run.
+std::string leftBehind(const RenderFlags& o, const RenderResult& result) {
+  if (result.frames == 0) return "interrupted before the first picture; nothing was drawn";
+  if (o.output == "-") return fmt::format("interrupted after {} pictures", result.frames);
+  if (frame::parseOutput(o.output, 1).kind == frame::OutputName::Kind::video)
+    return fmt::format("interrupted; {} has the {} frames so far", o.output, result.frames);
+  return o.noManifest ? "interrupted; the pictures that were written are whole"
+                      : "interrupted; what is listed in the manifest is whole, --resume goes on from there";
+}
+
 void render(const RenderFlags& o) {
   if (o.pieces && o.noManifest)
     fail(ExitCode::usage,
          "--no-manifest: --pieces joins its pieces by their manifests; leave out one of both");
+  if (o.streamFormat && o.output != "-")
+    fail(ExitCode::usage, "--stream-format has no effect with --output {}; it is for -o -", o.output);
   const LoadOptions load = loadOptionsOf(o);
   const RenderOptions options = optionsOf(o);
   if (o.pieces)
     return renderInPieces({api::requestOf(api::inputOf(o.scene.file, {}, load), o.output, options),
                            *o.pieces, o.jobs, o.cluster, o.on, o.progress});
-  if (o.cluster.slurm || !o.cluster.scratch.empty())
-    fail(ExitCode::usage, "--slurm and --scratch need --pieces");
   frame::Progress progress(frame::parseProgressMode(o.progress));
   // The constructor throws for an invalid output name before a device starts.
   Rendering rendering(o.scene.file, o.output, options, load);
@@ -152,9 +165,10 @@ void render(const RenderFlags& o) {
     printError(userErrorOf(error));  // The signal caused the error, so the exit code contains its number.
     return setExitCode(128 + signal);
   }
-  info("{}", frame::closingLine(result.frames, result.seconds, timesOf(result.stages), result.files));
+  if (!result.interrupted || result.frames > 0)
+    info("{}", frame::closingLine(result.frames, result.seconds, timesOf(result.stages), result.files));
   if (result.interrupted) {
-    info("simreel: interrupted; what is listed in the manifest is whole, --resume goes on from there");
+    info("simreel: {}", leftBehind(o, result));
     setExitCode(128 + frame::interruptSignal());
   }
 }
@@ -201,7 +215,9 @@ void addRender(CLI::App& app) {
       ->check(CLI::IsMember({8, 16, 32}));
   addDevices(*command, o->on);
   command->add_option("--progress", o->progress, "auto, tty, ndjson or none");
-  command->add_option("--stream-format", o->more.streamFormat, "Format of the stream that -o - writes")
+  command
+      ->add_option("--stream-format", o->streamFormat,
+                   "Format of the stream that -o - writes (default: rgba)")
       ->check(CLI::IsMember({"rgba", "y4m"}));
   command->add_flag("--overwrite", o->overwrite, "Replace frames that exist");
   command->add_flag(
@@ -218,14 +234,15 @@ void addRender(CLI::App& app) {
   command->add_option("--from", o->more.from,
                       "Begin at this checkpoint instead of at the scene's start; any run of the same "
                       "simulation can have written it");
-  command
-      ->add_option("--pieces", o->pieces,
-                   "Draw the sequence in this many pieces, --jobs of them at once, and join them; the "
-                   "bytes are the same as without")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
+  auto* pieces = command
+                     ->add_option("--pieces", o->pieces,
+                                  "Draw the sequence in this many pieces, --jobs of them at once, and join "
+                                  "them; the bytes are the same as without")
+                     ->check(CLI::Range(std::size_t{1}, std::size_t{10'000}));
   command->add_option("-j,--jobs", o->jobs, "Pieces at once; auto: one for each processor")
       ->capture_default_str();
   o->cluster.add(*command);
+  for (const char* name : {"--jobs", "--slurm", "--scratch"}) command->get_option(name)->needs(pieces);
   command->add_flag("--skip-existing", o->skipExisting,
                     "Keep every whole picture of a frame, and draw empty or damaged ones again; frames of "
                     "another scene or size are an error");
@@ -236,7 +253,8 @@ void addRender(CLI::App& app) {
   command->add_flag(
       "--no-counts", o->noCounts,
       "Do not write the counts of epidemics, fires, fluids and water (NAME.counts.csv beside the frames)");
-  command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors");
+  command->add_flag("--debug", o->on.debug, "Ask the driver for debug messages; serious ones are errors")
+      ->excludes(pieces);
   command->callback([o] { render(*o); });
 }
 

@@ -8,6 +8,7 @@
 #include "cli/stack_room.hpp"
 #include "frame/interrupt.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fcntl.h>
@@ -123,7 +124,16 @@ void addCommands(CLI::App& app) {
 
 namespace {
 
+/// Turns `simreel help render` into `simreel render --help`.
+void askForHelp(int argc, char** argv) {
+  static std::string flag = "--help";
+  if (argc < 2 || std::string_view(argv[1]) != "help") return;
+  std::rotate(argv + 1, argv + 2, argv + argc);
+  argv[argc - 1] = flag.data();
+}
+
 int runCommand(int argc, char** argv) {
+  askForHelp(argc, argv);
   for (int i = 0; i < argc; ++i) typed += (i == 0 ? "" : " ") + inShellQuotes(argv[i]);
   CLI::App app;
   addCommands(app);

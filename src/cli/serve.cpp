@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,9 @@ void servePage(const ServePageOptions& o) {
     fail(ExitCode::usage, "--edit {}: only scenes can be edited", o.scene.file);
   if (o.edit && !o.other.empty() && std::filesystem::path(o.other).extension() != ".json")
     fail(ExitCode::usage, "--edit {}: only scenes can be edited", o.other);
+  std::error_code unknown;
+  if (std::filesystem::exists(o.output, unknown) && !std::filesystem::is_directory(o.output, unknown))
+    fail(ExitCode::usage, "--output {}: this is a file; name a folder for the pictures", o.output);
   serve::ServeOptions options;
   options.player.source = {o.scene.file, o.scene.changes(), assetFolders(o.scene.assets)};
   options.player.arguments = o.scene.arguments();

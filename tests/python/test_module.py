@@ -101,6 +101,19 @@ class State(ModuleCase):
         self.write("scene.json", SPARKS)
         self.assertEqual(self.scene()["sparks"].positions.shape[1:], (3,))
 
+    def test_balls_that_roll_have_angular_velocities_and_orientations(self):
+        # This test takes 0.5 s.
+        ball = {"shape": "ball", "count": 4, "radius": 0.2, "position": [0, 1, 0]}
+        with simreel.Scene(objects={"balls": {"particles": {"groups": [ball], "contact": {"rolls": True}}}}, stage=False) as scene:
+            balls = scene["balls"]
+            count = len(balls.positions)
+            self.assertEqual(balls.arrays["spins"], ("rad/s", numpy.dtype("float32"), (count, 3), True))
+            self.assertEqual(balls.arrays["turns"][2], (count, 4))  # unit quaternions x, y, z, w
+            balls.spins = numpy.tile(numpy.float32([0, 2, 0]), (count, 1))
+            turned = scene.step(1)["balls"].turns
+            angle = 2 * numpy.arctan2(turned[:, 1], turned[:, 3])
+            self.assertTrue(numpy.allclose(angle, 2 / scene.fps, rtol=0.01), angle)
+
     def test_a_field_is_that_of_render(self):
         self.write("scene.json", DISH)
         self.good("-q", "render", "scene.json", "-o", "rendered/", "--fields", "npy", "--frames", "3")

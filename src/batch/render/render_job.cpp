@@ -6,6 +6,7 @@
 #include "base/log.hpp"
 #include "batch/render/chosen_frames.hpp"
 #include "frame/file/checkpoint.hpp"
+#include "frame/file/manifest.hpp"
 #include "frame/interrupt.hpp"
 #include "frame/sink/open_sink.hpp"
 #include "gl/machine.hpp"
@@ -48,7 +49,8 @@ void RenderJob::chooseManifest() {
   if (request_.existing == frame::Existing::resume || request_.existing == frame::Existing::skip)
     fail(ExitCode::usage, "--no-manifest: {} needs the manifest; leave out one of the two",
          request_.existing == frame::Existing::resume ? "--resume" : "--skip-existing");
-  if (const fs::path old = output_.manifestFile(); !old.empty() && pathExists(old))
+  if (const fs::path old = output_.manifestFile();
+      !old.empty() && pathExists(old) && !frame::isForeignManifest(old))
     fail(
         ExitCode::inputOutput,
         "--no-manifest: {} lists earlier frames and would no longer be true; delete it first, or leave out "
@@ -83,6 +85,11 @@ void RenderJob::chooseFrames() {
   if (request_.frames == "none") {
     if (request_.checkpointAt.empty())
       fail(ExitCode::usage, "--frames none draws nothing; name the states to keep: --checkpoint-at 0,500");
+    const char* const idle = request_.fields            ? "--fields"
+                             : !request_.layers.empty() ? "--layers"
+                             : request_.bits            ? "--bits"
+                                                        : nullptr;
+    if (idle != nullptr) fail(ExitCode::usage, "{} has no effect with --frames none; leave it out", idle);
     return;
   }
   if (request_.from.empty() || request_.checkpointOptional) {
@@ -114,6 +121,7 @@ void RenderJob::chooseCheckpoints() {
       fail(ExitCode::inputOutput, "{} exists; use --overwrite or --resume", file.string());
     kept_[frame] = file;
   }
+  if (!kept_.empty()) warnBeyondEnd(kept_.rbegin()->first, scene_);
 }
 
 /// Places the camera and measures ranges of colours by simulating the whole scene, independently of the

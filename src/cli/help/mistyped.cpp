@@ -8,6 +8,8 @@
 #include "scene/json/words.hpp"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -113,15 +115,29 @@ std::string missing(const CLI::App& command) {
                      usageOf(command), wordsOf(command));
 }
 
-/// Returns a message about a flag that was given without its value, or an empty text for any other error.
+/// Returns a message about an option that was given without its value or twice, or an empty text for any
+/// other error.
 /// `what`: message of the CLI11 library.
 std::string valueless(const CLI::App& command, const std::string& what) {
   const std::string name = what.substr(0, what.find(':'));
   for (const CLI::App* one = &command; one != nullptr; one = one->get_parent())
     for (const CLI::Option* option : one->get_options())
       if (option->check_name(name))
-        return fmt::format("{} needs a value\n{}see `{} --help`", name, optionEntry(*option, textWidth()),
-                           wordsOf(command));
+        return fmt::format(
+            "{} {}\n{}see `{} --help`", name,
+            what.find("At Most") == std::string::npos ? "needs a value" : "is given more than once",
+            optionEntry(*option, textWidth()), wordsOf(command));
+  return "";
+}
+
+/// Returns a message about an option that needs another one or excludes it, or an empty text for any other
+/// error. `what`: message of the CLI11 library, such as "--jobs requires --pieces".
+std::string idle(const std::string& what) {
+  for (const auto& [verb, form] :
+       {std::pair<std::string_view, fmt::string_view>(" requires ", "{} has no effect without {}"),
+        {" excludes ", "{} and {} exclude each other"}})
+    if (const std::size_t at = what.find(verb); at != std::string::npos)
+      return fmt::format(fmt::runtime(form), what.substr(0, at), what.substr(at + verb.size()));
   return "";
 }
 
@@ -165,6 +181,9 @@ std::string explainMistake(const CLI::App& app, const CLI::ParseError& error) {
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
     if (std::string text = valueless(command, error.what()); !text.empty()) return text;
+  if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr ||
+      dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr)
+    if (const std::string text = idle(error.what()); !text.empty()) return text + page;
   if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr)
     if (std::string text = unconverted(command, error.what()); !text.empty()) return text;
   if (!unknown.empty())

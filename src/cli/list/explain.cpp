@@ -1,12 +1,14 @@
 // simreel explain: lists every value of a scene that takes effect, and the value's origin.
 #include "scene/texts/explain.hpp"
 
+#include "base/error.hpp"
 #include "base/log.hpp"
 #include "base/wrap.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/device_options.hpp"
 #include "cli/options/scene_options.hpp"
 #include "gl/context.hpp"
+#include "scene/json/words.hpp"
 #include "sim/world/list.hpp"
 #include "sim/world/survey.hpp"
 
@@ -72,9 +74,12 @@ void explain(const ExplainOptions& o) {
   const std::vector<scene::Override> changes = o.scene.changes();
   auto values = scene::explainScene(scene, o.scene.file, changes, sim::kinds());
   std::erase_if(values, [&](const scene::ExplainedValue& one) {
-    const bool selected = o.only.empty() || one.path == o.only || one.path.starts_with(o.only + ".");
-    return !selected || (o.changed && one.standard);
+    return !o.only.empty() && one.path != o.only && !one.path.starts_with(o.only + ".");
   });
+  if (values.empty())
+    fail(ExitCode::usage, "{} has no value {}; `simreel explain {}` prints all", o.scene.file,
+         scene::inQuotes(o.only), o.scene.file);
+  std::erase_if(values, [&](const scene::ExplainedValue& one) { return o.changed && one.standard; });
   printText(o.format == "json" ? explainedJson(values) : explainedText(values));
 }
 
@@ -93,6 +98,8 @@ void addExplain(CLI::App& app) {
   command->add_option("--format", o->format, "text (the default) or json")
       ->check(CLI::IsMember({"text", "json"}));
   addDevice(*command, o->on);
+  for (const char* name : {"--device", "--memory-path"})
+    command->get_option(name)->excludes(command->get_option("--quick"));
   command->callback([o] { explain(*o); });
 }
 

@@ -169,11 +169,17 @@ void addKernels(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("--format", o->format, "text (the default) or json")
       ->check(CLI::IsMember({"text", "json"}));
-  command
-      ->add_option("--check", o->checked,
-                   "Search the dispatches of this scene's first steps for races, and print them")
-      ->type_name("SCENE");
+  const auto printing = command->get_options([](const CLI::Option* option) {
+    return !option->get_positional() && option->get_name() != "--help";
+  });
+  auto* check =
+      command
+          ->add_option("--check", o->checked,
+                       "Search the dispatches of this scene's first steps for races, and print them")
+          ->type_name("SCENE");
+  for (CLI::Option* option : printing) option->excludes(check);
   addDevice(*command, o->on);
+  for (const char* name : {"--device", "--memory-path"}) command->get_option(name)->needs(check);
   command->callback([o] {
     if (!o->checked.empty()) return checkRaces(*o);
     if (o->race == "record") o->request.race = kernels::Race::record;

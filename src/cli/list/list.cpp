@@ -51,10 +51,12 @@ void addList(CLI::App& app) {
       ->type_name("WORDS");
   command->add_option("--format", o->format, "text (the default), json or markdown")
       ->check(CLI::IsMember({"text", "json", "markdown"}));
-  command
-      ->add_option("--reference", o->reference,
-                   "Write the whole reference as Markdown pages into this folder, and print nothing")
-      ->type_name("FOLDER");
+  auto* reference =
+      command
+          ->add_option("--reference", o->reference,
+                       "Write the whole reference as Markdown pages into this folder, and print nothing")
+          ->type_name("FOLDER");
+  for (const char* name : {"name", "--search", "--format"}) command->get_option(name)->excludes(reference);
   command->callback([o, &app] {
     if (!o->reference.empty()) return writeReference(o->reference, app);
     printText(listed(*o));

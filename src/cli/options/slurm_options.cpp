@@ -9,12 +9,15 @@
 namespace simreel::cli {
 
 void SlurmOptions::add(CLI::App& command) {
-  command.add_flag("--slurm", slurm, "Submit the work to a Slurm cluster instead of doing it here");
+  auto* there =
+      command.add_flag("--slurm", slurm, "Submit the work to a Slurm cluster instead of doing it here")
+          ->excludes(command.get_option("--jobs"));
   command
       .add_option(
           "--sbatch", sbatch,
           "With --slurm: further options for sbatch, such as '--partition=gpu --gres=gpu:1'; repeatable")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->needs(there);
   addScratch(command);
 }
 

@@ -17,6 +17,7 @@ struct SlurmOptions {
   std::vector<std::string> sbatch;
   std::string scratch;
 
+  /// Adds all three to a command that has the option --jobs.
   void add(CLI::App& command);
   /// Adds only --scratch, for the commands that run inside the cluster's jobs.
   void addScratch(CLI::App& command);

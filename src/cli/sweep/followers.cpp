@@ -283,12 +283,27 @@ void runSweep(const batch::SweepPlan& plan, const std::vector<std::size_t>& jobs
   setExitCode(signal != 0 ? 128 + signal : tally.exitCode());
 }
 
+namespace {
+
+/// Throws UserError(usage) if an option of `simreel sweep SCENE` was given to one of its subcommands.
+void refuseOptionsOf(const CLI::App& sweep, const char* subcommand) {
+  for (const CLI::Option* option : sweep.get_options())
+    if (option->count() > 0)
+      fail(ExitCode::usage, "{} belongs to `simreel sweep SCENE` and has no effect on `simreel sweep {}`",
+           option->get_name(), subcommand);
+}
+
+}  // namespace
+
 void addSweepFollowers(CLI::App& sweep) {
   auto o = std::make_shared<FollowerOptions>();
   const auto add = [&](const char* name, const char* doc, void (*act)(const FollowerOptions&)) {
     auto* command = sweep.add_subcommand(name, doc);
     command->add_option("folder", o->folder, "Folder of the sweep")->required();
-    command->callback([o, act] { act(*o); });
+    command->callback([o, act, name, &sweep] {
+      refuseOptionsOf(sweep, name);
+      act(*o);
+    });
     return command;
   };
   add("status",

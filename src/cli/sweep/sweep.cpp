@@ -175,10 +175,13 @@ void addSweep(CLI::App& app) {
           "Also write the raw values of fields: of all, as npy or pfm, or of those that are named: "
           "NAME,... or pfm,NAME,...")
       ->type_name("{npy,pfm,NAME}");
-  command->add_flag("--plan-only", o->planOnly,
-                    "Only write plan.json; `simreel sweep job FOLDER NUMBER` runs its jobs on any machine");
+  auto* planOnly = command->add_flag(
+      "--plan-only", o->planOnly,
+      "Only write plan.json; `simreel sweep job FOLDER NUMBER` runs its jobs on any machine");
   command->add_flag("--overwrite", o->overwrite, "Replace another sweep in the folder");
   o->run.add(*command);
+  for (const char* name : {"--jobs", "--progress", "--slurm", "--scratch"})
+    command->get_option(name)->excludes(planOnly);
   addSweepFollowers(*command);
   command->callback([o, command] {
     if (command->get_subcommands().empty()) sweep(*o);

@@ -152,6 +152,8 @@ fs::path TestOutputs::artifacts() const {
 }
 
 void TestOutputs::check() const {
+  if (!pictures.empty() && markdown.empty() && !github)
+    fail(ExitCode::usage, "--markdown-pictures has no effect without --markdown or --github");
   if (!pictures.empty() && pictures != "files" && pictures != "data" && pictures != "none" &&
       !pictures.starts_with("http://") && !pictures.starts_with("https://"))
     fail(ExitCode::usage,

@@ -75,6 +75,8 @@ void checkOptions(const TestOptions& o) {
   if (o.run.empty() && (o.retries > 0 || o.timeout > 0))
     fail(ExitCode::usage,
          "--retries and --timeout have no effect with --actual, because nothing is rendered");
+  if (o.run.empty() && o.jobs != "1")
+    fail(ExitCode::usage, "--jobs has no effect with --actual, because nothing is rendered");
   std::error_code unknown;
   if (!fs::is_directory(o.expected, unknown) && o.updateMode() != golden::Update::all &&
       o.updateMode() != golden::Update::missing)

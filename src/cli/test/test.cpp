@@ -32,6 +32,8 @@ void addPictures(CLI::App& command, TestOptions& o) {
   command.add_option("--rules", o.rules,
                      "JSON: tolerances, masks and expected failures of pictures by name or folder");
   o.allowance.add(command);
+  for (const char* name : {"--repeat", "--device", "--memory-path", "--debug", "--assets"})
+    command.get_option(name)->excludes(command.get_option("--expected"));
 }
 
 }  // namespace
@@ -49,6 +51,8 @@ golden::Update TestOptions::updateMode() const {
     if (!reason.empty()) fail(ExitCode::usage, "--reason is stored in baselines, so it needs --update");
     return golden::Update::none;
   }
+  if (!reason.empty() && update == "prune")
+    fail(ExitCode::usage, "--reason has no effect with --update=prune, which writes no baselines");
   return update == "missing"   ? golden::Update::missing
          : update == "changed" ? golden::Update::changed
          : update == "prune"   ? golden::Update::prune

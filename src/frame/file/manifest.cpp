@@ -125,6 +125,20 @@ std::optional<Manifest> readManifest(const std::filesystem::path& path) {
   return parseManifest(readFile(path, "manifest"), path.string());
 }
 
+bool isForeignManifest(const std::filesystem::path& path) {
+  std::error_code error;
+  if (path.empty() || !std::filesystem::is_regular_file(path, error)) return false;
+  try {
+    const auto json = parseStrictJson(readFile(path, "manifest"));
+    const bool own = json.is_object() && json.contains("format") && json["format"] == manifestFormat;
+    return json.is_object() && !json.empty() && !own;
+  } catch (const JsonError&) {
+    return false;
+  } catch (const UserError&) {
+    return false;
+  }
+}
+
 std::optional<std::string> runDifference(const RunInfo& wanted, const RunInfo& stored) {
   const auto say = [](const char* item, const auto& here, const auto& there) {
     return fmt::format("{} is {} in this run and {} in the earlier one", item, here, there);

@@ -40,6 +40,9 @@ struct Manifest {
 /// Reads a manifest file. Returns nothing if the file does not exist. Throws the same errors as
 /// parseManifest().
 [[nodiscard]] std::optional<Manifest> readManifest(const std::filesystem::path& path);
+/// True if the file is JSON of another program: an object with members that is not a simreel manifest.
+/// Damaged manifests, and files that cannot be read, are not foreign.
+[[nodiscard]] bool isForeignManifest(const std::filesystem::path& path);
 /// Returns the first setting that differs between two runs and may change pixels by more than a few bits.
 /// The result is text such as "seed is 1 in this run and 2 in the earlier one". Returns nothing if no such
 /// setting differs.

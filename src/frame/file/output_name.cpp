@@ -70,6 +70,16 @@ std::vector<Placeholder> findPlaceholders(const std::string& output, const std::
   return found;
 }
 
+bool isVideo(const fs::path& file) {
+  const std::string extension = lowerExtension(file);
+  return std::find(videoExtensions.begin(), videoExtensions.end(), extension) != videoExtensions.end();
+}
+
+bool isPicture(const fs::path& file) {
+  const std::string extension = lowerExtension(file);
+  return extension == ".png" || extension == ".exr";
+}
+
 OutputName folderOutput(const fs::path& folder) {
   OutputName result;
   result.folder = folder;
@@ -87,7 +97,7 @@ std::optional<OutputName> patternOutput(const std::string& output) {
   if (placeholders.empty()) return std::nullopt;
   if (placeholders.size() > 1)
     fail(ExitCode::usage, "--output {}: the frame number may occur only once", output);
-  if (lowerExtension(name) != ".png" && lowerExtension(name) != ".exr")
+  if (!isPicture(name))
     fail(ExitCode::usage,
          "--output {}: numbered frames are PNG or OpenEXR files, so the name must end in .png or .exr",
          output);
@@ -167,7 +177,14 @@ OutputName parseOutput(const std::string& output, std::size_t frameCount) {
   if (output == "-") return fileOutput(OutputName::Kind::stream, {});
   std::error_code error;
   const fs::path path(output);
-  if (output.back() == '/' || fs::is_directory(path, error)) return folderOutput(path);
+  if (output.back() == '/') return folderOutput(path);
+  if (fs::is_directory(path, error)) {
+    if (isVideo(path) || isPicture(path))
+      fail(ExitCode::usage,
+           "--output {}: this is a folder, not a {}; to write numbered pictures into it, add a /", output,
+           isVideo(path) ? "video" : "picture");
+    return folderOutput(path);
+  }
   const std::string parent = path.parent_path().string();
   if (parent.find('#') != std::string::npos && !fs::is_directory(parent, error))
     fail(ExitCode::usage, "--output {}: put the frame number in the file's name, not in the folder's",
@@ -176,14 +193,13 @@ OutputName parseOutput(const std::string& output, std::size_t frameCount) {
 
   const std::string extension = lowerExtension(path);
   if (extension.empty()) return folderOutput(path);
-  if (extension == ".png" || extension == ".exr") {
+  if (isPicture(path)) {
     if (frameCount != 1)
       fail(ExitCode::usage, "--output {}: one name for {} frames; write {}_####{}", output, frameCount,
            (path.parent_path() / path.stem()).string(), extension);
     return fileOutput(OutputName::Kind::single, path);
   }
-  if (std::find(videoExtensions.begin(), videoExtensions.end(), extension) != videoExtensions.end())
-    return fileOutput(OutputName::Kind::video, path);
+  if (isVideo(path)) return fileOutput(OutputName::Kind::video, path);
   fail(ExitCode::usage, "--output {}: {} is not supported; {} (end a folder's name with /)", output,
        extension, supported);
 }

@@ -1,5 +1,7 @@
 #include "frame/file/picture_origin.hpp"
 
+#include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/png.hpp"
 #include "frame/png_text.hpp"
 #include "scene/scene.hpp"
@@ -96,10 +98,27 @@ PictureOrigin originOf(std::span<const std::byte> file, const std::filesystem::p
   compare("what is changed in the scene", listed(changes), listed(texts["simreel:overrides"]));
   compare("scene hash", run.sceneHash, texts["simreel:scene"]);
   compare("seed", std::to_string(run.seed), texts["simreel:seed"]);
+  origin.otherRun = !origin.difference.empty();
   compare("frame", std::to_string(frame), texts["simreel:frame"]);
   origin.state = texts["simreel:state"];
   origin.driver = texts["simreel:driver"];
   return origin;
+}
+
+std::string reasonToKeep(const std::filesystem::path& file, const RunInfo& run, int frame, bool listed) {
+  if (!pathExists(file)) return {};
+  std::string bytes;
+  try {
+    bytes = readFile(file, "picture");
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  if (bytes.find_first_not_of('\0') == std::string::npos) return {};
+  const auto content = std::as_bytes(std::span(bytes));
+  const PictureOrigin origin = originOf(content, file, run, frame);
+  if (origin.identified) return origin.otherRun && !listed ? origin.difference : std::string();
+  if (listed && bytes.starts_with("\x89PNG") && !isWholePng(content)) return {};
+  return file.string() + " is no picture of simreel";
 }
 
 }  // namespace simreel::frame

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace simreel::frame {
 
@@ -78,22 +79,61 @@ void refuseExisting(const OutputName& output, std::span<const int> frames) {
     fail(ExitCode::inputOutput, "{}; use --overwrite, --skip-existing or --resume", files);
 }
 
-void warnOfUnlisted(const OutputName& output, std::span<const int> frames) {
-  if (pathExists(output.manifestFile())) return;
-  if (const std::string files = existingFiles(output, frames); !files.empty())
-    warn("{} without {}, which says how frames were made; all are drawn anew", files,
-         output.manifestFile().string());
+void tellOfRedrawn(const OutputName& output, std::span<const int> frames,
+                   const std::map<int, ManifestFrame>& kept) {
+  std::vector<int> redrawn;
+  for (const int frame : frames)
+    if (!kept.contains(frame)) redrawn.push_back(frame);
+  const std::string files = existingFiles(output, redrawn);
+  if (files.empty()) return;
+  const std::string manifest = output.manifestFile().string();
+  if (pathExists(output.manifestFile()))
+    info("{} without being listed as whole in {}; drawn anew", files, manifest);
+  else
+    warn("{} without {}, which says how frames were made; all are drawn anew", files, manifest);
 }
+
+namespace {
+
+/// Throws UserError(inputOutput) if a folder has the name of a picture.
+void refuseFolders(const OutputName& output, std::span<const int> frames) {
+  for (const int frame : frames) {
+    const std::filesystem::path file = output.file(frame);
+    std::error_code unknown;
+    if (std::filesystem::is_directory(file, unknown))
+      fail(ExitCode::inputOutput, "cannot write the picture {}: a folder has this name; remove it",
+           file.string());
+  }
+}
+
+/// Throws UserError if the output is a video that exists and must not be replaced, or cannot be: videos are
+/// written to files beside it and renamed.
+void checkVideo(const std::filesystem::path& file, Existing existing) {
+  std::error_code unknown;
+  const auto status = std::filesystem::symlink_status(file, unknown);
+  if (!std::filesystem::exists(status)) return;
+  if (existing == Existing::error)
+    fail(ExitCode::inputOutput, "{} exists; use --overwrite or --skip-existing", file.string());
+  if (std::filesystem::is_other(std::filesystem::status(file, unknown)))
+    fail(ExitCode::usage,
+         "--output {}: this is a pipe or a device, and a video is a file; to pipe pictures, use -o -",
+         file.string());
+}
+
+}  // namespace
 
 void checkOutput(const OutputName& output, Existing existing, std::span<const int> frames) {
   if (output.kind == OutputName::Kind::stream || frames.empty()) return;
-  const std::filesystem::path file = output.file(frames.front());
   if (output.kind == OutputName::Kind::video) {
-    if (existing == Existing::error && pathExists(file))
-      fail(ExitCode::inputOutput, "{} exists; use --overwrite or --skip-existing", file.string());
-  } else if (existing == Existing::error) {
-    refuseExisting(output, frames);
+    checkVideo(output.file(frames.front()), existing);
+  } else {
+    if (existing == Existing::error) refuseExisting(output, frames);
+    refuseFolders(output, frames);
   }
+  if (output.manifest && isForeignManifest(output.manifestFile()))
+    fail(ExitCode::inputOutput,
+         "{} is not simreel's and would be replaced; choose another folder, or use --no-manifest",
+         output.manifestFile().string());
   if (!output.folder.empty() && !pathExists(output.folder))
     checkFolder(output.folder);
   else

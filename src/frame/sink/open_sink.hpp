@@ -1,8 +1,10 @@
 #pragma once
+#include "frame/file/manifest.hpp"
 #include "frame/file/output_name.hpp"
 #include "frame/file/run_info.hpp"
 #include "frame/sink/frame_sink.hpp"
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,8 +20,10 @@ namespace simreel::frame {
 /// Throws UserError(inputOutput) if an output file of one of the frames exists.
 void refuseExisting(const OutputName& output, std::span<const int> frames);
 
-/// Warns if output files of frames exist without a manifest, because a run with --resume overwrites them.
-void warnOfUnlisted(const OutputName& output, std::span<const int> frames);
+/// Says which existing pictures a run with --resume draws anew, in one line: those of `frames` that are not
+/// in `kept`.
+void tellOfRedrawn(const OutputName& output, std::span<const int> frames,
+                   const std::map<int, ManifestFrame>& kept);
 
 /// Performs the checks of openSink() that need no device. Checks for existing files and for a writable
 /// location. Leaves no files behind. Throws the same errors as openSink().

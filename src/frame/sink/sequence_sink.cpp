@@ -50,7 +50,6 @@ class SequenceSink final : public FrameSink {
     // Upper bounds (bytes) for run.json and for each frame in the manifest.
     constexpr std::size_t runBytes = 16384, frameBytes = 256;
     room_ = ReservedRoom(output_.folder, runBytes + frameBytes * frames_.size());
-    if (existing == Existing::resume) warnOfUnlisted(output_, frames_);
     auto known = file_.inherit(existing);
     if (existing == Existing::skip || existing == Existing::resume)
       keepWholeFrames(existing, known);
@@ -150,14 +149,19 @@ class SequenceSink final : public FrameSink {
     tbb::parallel_for(std::size_t{0}, frames_.size(), [&](std::size_t i) {
       const auto entry = known.find(frames_[i]);
       if (entry != known.end()) found[i].whole = wholeFrame(frames_[i], entry->second);
-      if (!found[i].whole && existing == Existing::skip) found[i] = unlistedFrame(frames_[i]);
+      if (found[i].whole) return;
+      const fs::path file = output_.file(frames_[i]);
+      if (existing == Existing::skip)
+        found[i] = unlistedFrame(frames_[i]);
+      else
+        found[i].difference = reasonToKeep(file, manifest_.run, frames_[i], entry != known.end());
     });
     std::size_t unlisted = 0, damaged = 0;
     fs::path firstDamaged;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       if (!found[i].difference.empty())
-        fail(ExitCode::usage, "cannot skip existing frames: {}; use --overwrite, or another folder",
-             found[i].difference);
+        fail(ExitCode::usage, "cannot {}: {}; use --overwrite, or another folder",
+             existing == Existing::skip ? "skip existing frames" : "resume", found[i].difference);
       if (found[i].whole)
         kept_[frames_[i]] = manifest_.frames[frames_[i]] = *found[i].whole;
       else if (found[i].damaged && damaged++ == 0)
@@ -171,6 +175,7 @@ class SequenceSink final : public FrameSink {
     if (unlisted > 0)
       warn("{} of {} kept frames do not name the run that drew them; the manifest does not list them",
            unlisted, kept_.size());
+    if (existing == Existing::resume) tellOfRedrawn(output_, frames_, kept_);
     tellOfOtherMachines();
   }
 

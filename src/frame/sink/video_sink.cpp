@@ -34,7 +34,7 @@ class VideoSink final : public FrameSink {
            "--resume cannot continue the video {}; render frames into a folder, or use --overwrite",
            file_.string());
     std::error_code error;
-    if (fs::exists(file_, error)) {
+    if (fs::exists(fs::symlink_status(file_, error))) {
       if (existing == Existing::error)
         fail(ExitCode::inputOutput, "{} exists; use --overwrite or --skip-existing", file_.string());
       if (existing == Existing::skip) {

@@ -129,6 +129,15 @@ std::vector<Accepted> acceptReport(const fs::path& report, const Acceptance& how
   const fs::path file = fs::is_directory(report, ignored) ? report / "report.json" : report;
   const SuiteResult suite = parseReport(readFile(file, "report"), file.string());
   const bool pictures = suite.unit == "picture";
+  const char* const idle = pictures               ? !how.reason.empty()   ? "--reason"
+                                                    : how.alternate       ? "--alternate"
+                                                    : !how.scenes.empty() ? "--scenes"
+                                                                          : nullptr
+                           : how.expected.empty() ? nullptr
+                                                  : "--expected";
+  if (idle != nullptr)
+    fail(ExitCode::usage, "{} has no effect on {}, a report about {}", idle, file.string(),
+         pictures ? "pictures" : "scenes");
   const fs::path expected = pictures ? expectedFolder(suite, how) : fs::path();
   std::vector<Accepted> all;
   for (const SceneResult& scene : suite.scenes) {

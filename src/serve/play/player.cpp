@@ -44,6 +44,7 @@ Player::Player(PlayerOptions options, const gl::Context& context, Hub& hub)
   readFile();
   if (!options_.from.empty()) from_ = frame::Checkpoint::load(options_.from);
   if (load(text_, {}, false)) return;
+  warnLinesOnce(mistakes_);  // A user without a page open sees in the terminal why there is no picture.
   watch();
 }
 

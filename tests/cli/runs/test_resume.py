@@ -174,6 +174,31 @@ class Resume(Case):
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 
+    def test_resume_keeps_files_of_others(self):
+        """Text, a retouched picture, and a picture of another run are not overwritten, listed or not. A picture of this
+        run that the manifest does not list is drawn anew, and a line says so."""
+        again = ("render", "scene.json", "-o", "out/", "--resume")
+        own = self.whole["000003.png"]
+        for content in (b"my notes", own[:33] + own[own.index(b"IDAT") - 4:]):
+            self.path(3).write_bytes(content)
+            self.bad(2, ["cannot resume: out/000003.png is no picture of simreel; use --overwrite, or another folder"], *again)
+            self.assertEqual(self.path(3).read_bytes(), content)
+        self.path(3).write_bytes(self.whole["000002.png"])
+        self.assert_words(["out/000003.png exists without being listed as whole in out/manifest.json; drawn anew"], self.good(*again))
+        self.assertEqual(self.content("out"), self.whole)
+        (self.folder / "out/manifest.json").unlink()
+        self.bad(2, ["cannot resume: what is changed in the scene is -D seed=7 in this run and nothing in out/000000.png"], *again,
+                 "--seed", "7")
+
+    def test_a_manifest_of_another_program_is_kept(self):
+        text = '{"name": "An app", "start_url": "/"}'
+        self.write("app/manifest.json", text)
+        for more in ((), ("--resume",), ("--overwrite",)):
+            self.bad(6, ["app/manifest.json is not simreel's", "--no-manifest"], "render", "scene.json", "-o", "app/", *more)
+        self.good("render", "scene.json", "-o", "app/", "--frames", "0", "--no-manifest")
+        self.assertEqual((self.folder / "app/manifest.json").read_text(encoding="utf-8"), text)
+        self.assertEqual({p.name for p in self.folder.glob("app/*")}, {"manifest.json", "000000.png"})
+
     def test_resume_refuses_another_scene(self):
         self.bad(2, ["cannot resume", "-D seed=7 in this run and nothing in the earlier one", "--overwrite"], "render", "scene.json", "-o", "out/", "--resume",
                  "--seed", "7")
@@ -291,6 +316,9 @@ class Resume(Case):
         after = self.content("out")
         self.assertEqual(after["000001.png"], foreign)
         self.assertEqual([frame["frame"] for frame in self.manifest("out")["frames"]], [0, 2, 3, 4, 5])
+        self.bad(2, ["cannot resume: out/000001.png is no picture of simreel", "--overwrite"], "render", "scene.json", "-o", "out/", "--resume")
+        self.assertEqual(self.path(1).read_bytes(), foreign)
+        self.path(1).unlink()
         self.good("render", "scene.json", "-o", "out/", "--resume")
         self.assertEqual(self.content("out"), self.whole)
 

@@ -111,6 +111,54 @@ class CommandLine(Case):
             self.usage(["--output", word], "render", "scene.json", "-o", output)
         self.assertEqual([p.name for p in self.folder.iterdir()], ["scene.json"])
 
+    def test_names_of_files_that_are_something_else(self):
+        """A folder where a video or picture is asked for, links, and pipes that no program reads are errors before
+        anything is simulated."""
+        for name, kind in (("x.mp4", "video"), ("x.png", "picture")):
+            (self.folder / name).mkdir()
+            self.usage([f"--output {name}: this is a folder, not a {kind}", "add a /"], "render", "scene.json", "-o", name, "--frames", "0")
+        for name in ("link.mp4", "link.png"):
+            (self.folder / name).symlink_to("nowhere")
+            self.bad(6, [f"{name} exists", "--overwrite"], "render", "scene.json", "-o", name, "--frames", "0")
+        os.mkfifo(self.folder / "pipe.mp4")
+        self.usage(["pipe.mp4: this is a pipe or a device", "-o -"], "render", "scene.json", "-o", "pipe.mp4", "--overwrite")
+        os.mkfifo(self.folder / "pipe.png")
+        self.bad(6, ["cannot write pipe.png: it is a pipe or a socket that no program reads"], "render", "scene.json", "-o", "pipe.png",
+                 "--frames", "0", "--overwrite", "--no-manifest")
+
+    def test_options_without_effect_are_refused(self):
+        """Each takes milliseconds, because nothing is simulated."""
+        for words, arguments in (
+                ("--jobs has no effect without --pieces", ("render", "scene.json", "-o", "out/", "-j", "4")),
+                ("--jobs and --slurm exclude each other", ("render", "scene.json", "-o", "out/", "-j", "4", "--pieces", "2", "--slurm")),
+                ("--slurm has no effect without --pieces", ("render", "scene.json", "-o", "out/", "--slurm")),
+                ("--scratch has no effect without --pieces", ("render", "scene.json", "-o", "out/", "--scratch", "/tmp")),
+                ("--sbatch has no effect without --slurm", ("render", "scene.json", "-o", "out/", "--pieces", "2", "--sbatch=--x")),
+                ("--sbatch has no effect without --slurm", ("sweep", "scene.json", "--vary", "seed=1,2", "-o", "out/", "--sbatch=--x")),
+                ("--stream-format has no effect with --output out/", ("render", "scene.json", "-o", "out/", "--stream-format", "y4m")),
+                ("--bits 16 has no effect with --pieces", ("render", "scene.json", "-o", "out/", "--pieces", "2", "--bits", "16")),
+                ("exclude each other", ("render", "scene.json", "-o", "out/", "--pieces", "2", "--debug")),
+                ("--fields has no effect with --frames none", ("render", "scene.json", "-o", "out/", "--frames", "none",
+                                                               "--checkpoint-at", "2", "--fields", "npy")),
+                ("exclude each other", ("sweep", "scene.json", "--vary", "seed=1,2", "-o", "out/", "--plan-only", "-j", "2")),
+                ("--overwrite belongs to `simreel sweep SCENE`", ("sweep", "status", "out", "--overwrite")),
+                ("exclude each other", ("explain", "scene.json", "--quick", "--device", "0")),
+                ("exclude each other", ("list", "cloth", "--reference", "out")),
+                ("exclude each other", ("kernels", "a.compute", "--check", "scene.json", "--glsl")),
+                ("--device has no effect without --check", ("kernels", "a.compute", "--device", "0")),
+                ("--repeat and --expected exclude each other", ("test", "--expected", "out", "--actual", "b", "--repeat", "3")),
+                ("--jobs has no effect with --actual", ("test", "--expected", "out", "--actual", "b", "--jobs", "3")),
+                ("--reason has no effect with --update=prune", ("test", "scene.json", "--update=prune", "--reason", "x")),
+                ("--markdown-pictures has no effect without --markdown", ("test", "scene.json", "--markdown-pictures", "none"))):
+            with self.subTest(arguments=arguments):
+                self.usage(words, *arguments)
+
+    def test_an_option_given_twice_and_help_as_a_command(self):
+        self.render(["--size is given more than once"], "--size", "8x8", "--size", "4x4")
+        self.usage(['scene.json has no value "camera.lens.nothing"'], "explain", "scene.json", "camera.lens.nothing", "--quick")
+        self.assertEqual(self.good("help", "render").stdout, self.good("render", "--help").stdout)
+        self.assertIn(b"Usage: simreel", self.good("help").stdout)
+
     def test_values_of_options(self):
         self.render(["--overwrite", "--resume", "exclude"], "--overwrite", "--resume")
         self.render(["--skip-existing", "exclude"], "--skip-existing", "--resume")

@@ -136,11 +136,20 @@ class Files(ServeCase):
 
     def test_a_scene_that_is_invalid_at_the_start(self):
         self.write("scene.json", "{")
-        server = self.serve()
+        server = Server(self.folder / "scene.json", cwd=self.folder)
+        self.addCleanup(server.stop)
         viewer = server.viewer()
         viewer.until(lambda kind, message: kind == "scene" and "scene.json:1" in message["mistakes"])
         self.write("scene.json", SCENE)
         self.assertEqual(self.pixels(viewer.rest(0)[1]), self.rendered(0))
+        self.assertIn("scene.json:1:2: error: ", server.stop()[2])
+
+    def test_a_checkpoint_of_another_simulation_is_named_in_the_terminal(self):
+        # This test takes 1 s.
+        self.good("render", "scene.json", "-o", "states/", "--frames", "none", "--checkpoint-at", "1")
+        server = Server(self.folder / "scene.json", "-D", "seed=9", "--from", "states/checkpoint.000001", cwd=self.folder)
+        self.addCleanup(server.stop)
+        self.assertIn("cannot begin at checkpoint states/checkpoint.000001: it belongs to another simulation", server.stop()[2])
 
     def test_edit_changes_only_the_value(self):
         text = ('{\r\n  "version": 1, // the format\n\t"render": {"size": [64, 36], "samples": 1}, "time": {"fps": 30,   "duration": 0.2},\n'

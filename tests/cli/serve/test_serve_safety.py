@@ -193,6 +193,7 @@ class CommandLine(ServeCase):
         self.assertEqual(self.run_program("serve", "-").returncode, 2)
         self.assertEqual(self.run_program("serve", "none.json").returncode, 2)
         self.assertEqual(self.run_program("serve", "scene.json", "--bind", "elsewhere").returncode, 2)
+        self.bad(2, "--output scene.json: this is a file", "serve", "scene.json", "-o", "scene.json")
         self.write("glider.rle", "x = 3, y = 3\nbob$2bo$3o!\n")
         self.assertEqual(self.run_program("serve", "glider.rle", "--edit").returncode, 2)
 

@@ -1,0 +1,13 @@
+#pragma once
+#include "scene/scene.hpp"
+#include "scene/value/reader.hpp"
+
+#include <vector>
+
+namespace simreel::scene {
+
+/// Reads the section "objects" of a scene: appends an object for each member, also for those with errors.
+/// Reports all errors to the context's diagnostics. kinds.check then checks the objects together.
+void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std::vector<Object>& objects);
+
+}  // namespace simreel::scene
