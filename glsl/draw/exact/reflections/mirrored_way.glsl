@@ -16,7 +16,9 @@
 // plane's change over a half pixel (the sum of both axes), and by 0.2% of the mirror's nearness.
 // The weight of a hit is reduced from 1 to 0 as:
 // - the depth of the ray behind the visible surface, less the surface's change over a half pixel (the sum of both axes,
-// at most 1%), grows from 0 to the thickness, and sooner for a curved mirror;
+// at most 1%), grows from 0 to the thickness, and sooner for a curved mirror; the surface's nearness is the mean of the half
+// pixel's and of the nearness where the object's light is read;
+// - the path only crosses a corner of the half pixels that show the object;
 // - the distance of the hit from the border of the picture falls from a tenth of the picture's height to 0;
 // - the distance of the hit along the ray grows from half of the max length to the max length;
 // - the cosine of the angle between the ray and the direction to the eye grows from 0 to 1/2, because the back sides of
@@ -26,7 +28,7 @@
 // - the roughness grows from 0.1 to 0.3, because rougher mirrors would need blurred edges.
 // The remaining weight counts as a miss. REFRACTED: the ray has passed through glass. It has no mirror's plane, so
 // condition 3 always holds. The roughness does not reduce the weight. The curvature reduces it only through the first
-// case of the list.
+// case of the list. GROUND_MIRROR: the mirror is the ground, which the levels leave out, so condition 3 always holds.
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
@@ -51,6 +53,7 @@ struct MirrorHit {
   float at;      // distance of the hit along the path in half pixels
   float counts;
   float spread;  // distance, in half pixels, between the points that neighbouring half pixels reflect
+  vec2 inwards;  // way in half pixels from the hit to the inside of the object, if the hit is at its edge
 };
 
 // Returns the distance (m) from the start to position t of the path. In orthographic views it is t / speed; otherwise
@@ -149,11 +152,58 @@ FUNCTION float spreadAt(MirrorWay way, float t) {
   return spread;
 }
 
+// Nearness of the half pixels around a half pixel: left, right, above and below it.
+FUNCTION vec4 nearnessAround(ivec2 at) {
+  return vec4(nearestAt(0, at - ivec2(1, 0)), nearestAt(0, at + ivec2(1, 0)), nearestAt(0, at - ivec2(0, 1)),
+              nearestAt(0, at + ivec2(0, 1)));
+}
+
 // Returns the change of nearness per half pixel to the right and downwards.
-FUNCTION vec2 slopesAt(ivec2 at, float here) {
-  float left = nearestAt(0, at - ivec2(1, 0)), right = nearestAt(0, at + ivec2(1, 0));
-  float above = nearestAt(0, at - ivec2(0, 1)), below = nearestAt(0, at + ivec2(0, 1));
-  return vec2(slopeBetween(left, here, right), slopeBetween(above, here, below));
+FUNCTION vec2 slopesAt(vec4 around, float here) {
+  return vec2(slopeBetween(around.x, here, around.y), slopeBetween(around.z, here, around.w));
+}
+
+// Returns the way from a half pixel at an object's edge to the inside of the object, one and a half half pixels away from
+// farther half pixels, because half pixels at an edge also show what is behind the object. The way is 0 elsewhere, where
+// the change of nearness differs by less than 2% between both sides.
+FUNCTION vec2 wayInwards(vec4 around, float here) {
+  vec4 opposite = vec4(around.y, around.x, around.w, around.z);
+  precise vec4 farther = here - around;
+  precise vec4 nearer = opposite - here;
+  precise vec4 differs = max(farther, vec4(0.0f)) - max(nearer, vec4(0.0f)) - 0.02f * here;
+  vec4 edge = max(differs, vec4(0.0f));
+  precise vec2 change = vec2(edge.x - edge.y, edge.z - edge.w);
+  precise vec2 part = change * (24.0f * exactReciprocal(max(here, 1e-9f)));
+  precise vec2 inwards = 1.5f * clamp(part, vec2(-1.0f), vec2(1.0f));
+  return inwards;
+}
+
+// Returns the bilinear mean of nearness at a position in half pixels.
+FUNCTION float nearnessIn(vec2 place) {
+  precise vec2 at = place - 0.5f;
+  vec2 low = floor(at);
+  precise vec2 share = at - low;
+  ivec2 first = ivec2(low);
+  float a = nearestAt(0, first), b = nearestAt(0, first + ivec2(1, 0));
+  float c = nearestAt(0, first + ivec2(0, 1)), d = nearestAt(0, first + 1);
+  precise float above = a + (b - a) * share.x;
+  precise float below = c + (d - c) * share.x;
+  precise float mean = above + (below - above) * share.y;
+  return mean;
+}
+
+// Returns the bilinear fraction, at a position in half pixels, of half pixels that show an object.
+FUNCTION float shownAround(vec2 place) {
+  precise vec2 at = place - 0.5f;
+  vec2 low = floor(at);
+  precise vec2 share = at - low;
+  ivec2 first = ivec2(low);
+  float a = nearestAt(0, first) > 0.0f ? 1.0f : 0.0f, b = nearestAt(0, first + ivec2(1, 0)) > 0.0f ? 1.0f : 0.0f;
+  float c = nearestAt(0, first + ivec2(0, 1)) > 0.0f ? 1.0f : 0.0f, d = nearestAt(0, first + 1) > 0.0f ? 1.0f : 0.0f;
+  precise float above = a + (b - a) * share.x;
+  precise float below = c + (d - c) * share.x;
+  precise float mean = above + (below - above) * share.y;
+  return mean;
 }
 
 // Returns the position between `low` and `high` at which the path meets a plane. The plane goes through the nearest
@@ -224,7 +274,7 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
     MirrorCell cell = mirrorCell(way, beyond, perWay, t, level);
     bool behind = cell.nearest > min(cell.here, cell.there);
     precise vec2 aside = vec2(cell.at) + 0.5f - way.from;
-#ifdef REFRACTED
+#if defined REFRACTED || defined GROUND_MIRROR
     const float own = 0.0f;
 #else
     precise float own = ownPlane + (way.slope.x * aside.x + way.slope.y * aside.y);
@@ -237,13 +287,17 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
   MirrorHit hit;
   hit.at = 0.0f;
   hit.counts = 0.0f;
+  hit.inwards = vec2(0.0f);
   for (int i = met ? 0 : 1; i < 1; ++i) {
     MirrorCell cell = mirrorCell(way, beyond, perWay, t, 0);
-    precise float metDeep = cell.nearest - max(cell.here, cell.there);
-    vec2 slope = slopesAt(cell.at, cell.nearest);
+    vec4 around = nearnessAround(cell.at);
+    vec2 slope = slopesAt(around, cell.nearest);
     hit.at = meetingPlane(way, cell.at, cell.nearest, slope, t, cell.next);
     hit.spread = spreadAt(way, hit.at);
+    hit.inwards = wayInwards(around, cell.nearest);
     precise float slopes = abs(slope.x) + abs(slope.y);
+    precise vec2 inside = way.from + way.along * hit.at + hit.inwards;
+    precise float metDeep = 0.5f * (cell.nearest + nearnessIn(inside)) - max(cell.here, cell.there);
     precise float deep = metDeep - min(slopes, partOf(cell.nearest, 0.01f));
     precise float part = deep * (1.0f + 16.0f * hit.spread) * exactReciprocal(max(thickAt(cell), 1e-18f));
 #ifdef REFRACTED
@@ -251,7 +305,10 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
 #else
     precise float bent = (hit.spread - 0.125f) * 1.6f;
 #endif
-    precise float counts = (1.0f - easedBetween(part)) * (1.0f - easedBetween(bent));
+    precise vec2 first = way.from + way.along * hit.at;
+    precise vec2 later = way.from + way.along * (t + 2.0f);
+    float shown = max(shownAround(first), shownAround(later));
+    precise float counts = (1.0f - easedBetween(part)) * (1.0f - easedBetween(bent)) * shown;
     hit.counts = counts;
   }
   return hit;
@@ -295,7 +352,8 @@ FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   float held = clamp(doublings, 0.0f, float(lastLevel));
   int level = min(int(held), lastLevel - 1);
   precise float share = held - float(level);
-  vec4 fine = litAround(level, q), coarse = litAround(level + 1, q);
+  precise vec2 inside = q + hit.inwards;
+  vec4 fine = litAround(level, inside), coarse = litAround(level + 1, inside);
   precise vec4 light = (fine + (coarse - fine) * share) * counts;
   return light;
 }

@@ -30,6 +30,7 @@ vec4 groundMet(MirrorWay way, float ground, float roughness) {
   MirrorHit hit;
   hit.at = way.end;
   hit.counts = 1.0f;
+  hit.inwards = vec2(0.0f);
   hit.spread = spreadAt(way, way.end);
   precise vec2 q = way.from + way.along * way.end;
   precise float there = way.nearness + way.rate * way.end;

@@ -1,6 +1,7 @@
 // Shades the ground tile by tile. Defines: SAMPLES, SHADOWED (with SHADOW_TAPS), GROUND_REFLECTIVE, LAMPS, OCCLUSION,
 // REFLECTED, RAYS.
 #define EXACT_PICTURE
+#define GROUND_MIRROR
 #define FADES
 #include "draw/exact/tiles/shaded_tile.glsl"
 #include "draw/exact/ground_plane.glsl"

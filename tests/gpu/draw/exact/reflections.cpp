@@ -185,6 +185,35 @@ TEST_CASE("reflections: a ball over a plane mirror is where its mirror image is"
   CHECK(judged.near > 0.8 * judged.met);
 }
 
+TEST_CASE("reflections: the light of a ball's edge is the ball's, also on its hidden side") {
+  const glm::dvec3 middle(0.1, 0.55, -0.3);
+  const double radius = 0.4;
+  const shader::ExactView view = exactViewFrom({0.3F, 0.9F, 3}, {0, 0.3F, -0.3F}, mirrorPicture);
+  const MirrorSeen seen = [&](glm::dvec3 eye, glm::dvec3 ray) {
+    if (const auto ball = rayOnBall(eye, ray, middle, radius)) return MirrorMet{*ball, false};
+    return MirrorMet{ray.y < 0 ? -eye.y / ray.y : 0, true};
+  };
+  const ReflectionsTwin twin = mirrorTwinOf(view, seen, 4);
+  int met = 0;
+  int mixed = 0;  // number of rays whose light also comes from behind the ball
+  for (int y = 0; y < view.size.y; ++y)
+    for (int x = 0; x < view.size.x; ++x) {
+      const glm::dvec3 ray = mirrorRayThrough(view, {x + 0.5, y + 0.5});
+      const MirrorMet there = seen(glm::dvec3(view.eye), ray);
+      if (!there.mirror || there.depth <= 0) continue;
+      const glm::dvec3 p = glm::dvec3(view.eye) + there.depth * ray;
+      const glm::vec4 light = twin.lightMet(mirroredRay(view, p, {0, 1, 0}));
+      if (light.w < 0.5F) continue;
+      const glm::dvec3 from(glm::vec3(light) / light.w);
+      ++met;
+      mixed += std::abs(glm::distance(from, middle) - radius) > 0.03 ? 1 : 0;
+    }
+  CAPTURE(met);
+  CAPTURE(mixed);
+  CHECK(met > 800);
+  CHECK(mixed < 0.03 * met);
+}
+
 TEST_CASE("reflections: a flat mirror, a lone ball and what is far away or matt bring nothing") {
   const shader::ExactView view = exactViewFrom({0.3F, 0.5F, 3}, {0, 0.2F, -0.6F}, mirrorPicture);
   const MirrorSeen flat = [](glm::dvec3 eye, glm::dvec3 ray) {
