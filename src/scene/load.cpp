@@ -11,6 +11,7 @@
 #include "scene/json/words.hpp"
 #include "scene/kind_hint.hpp"
 #include "scene/override.hpp"
+#include "scene/own_colors.hpp"
 #include "scene/panels.hpp"
 #include "scene/papered.hpp"
 #include "scene/scene_source.hpp"
@@ -78,6 +79,7 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
       Reader::readObject(member, context, [&](Reader& fields) { object.parameters->describe(fields); });
     }
   }
+  remarkColors(node, object, context.diagnostics);
   giveSkin(object);
   const char* const drawnWith = object.parameters == nullptr ? nullptr : object.parameters->drawnWith();
   if (object.hasMaterial() && drawnWith != nullptr)
@@ -135,6 +137,7 @@ void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std:
     objects.push_back(readObject(child, context, kinds.list));
     good.push_back(context.diagnostics.count() == errorsBefore);
   }
+  if (context.version > 1) keepStateColors(node, objects);
   if (!kinds.check) return;
   kinds.check(objects,
               [&](const Object& object, const std::vector<std::string>& path, const std::string& message) {
@@ -335,6 +338,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     // Computing extents may read mesh files and subdivide meshes, so it is skipped unless the extents are
     // needed.
     std::vector<Framed> framed;
+    if (*version > 1) setApart(scene);
     if (staged || !scene.camera.placed) framed = framedObjects(scene);
     if (staged) setStage(scene, framed, *version);
     if (const std::string advice = stageAdvice(scene); !advice.empty())
