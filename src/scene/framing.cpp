@@ -3,6 +3,7 @@
 #include "base/ieee.hpp"
 #include "scene/outline.hpp"
 #include "scene/panels.hpp"
+#include "scene/set_apart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -147,24 +148,45 @@ std::optional<glm::vec3> aimPoint(const Scene& scene) {
   return std::nullopt;
 }
 
-/// Places an orbiting camera. The target is the centre of all extents or of the tracked object. The
-/// distance keeps all points in view at every angle of the orbit and at every key of the elevation.
+/// Returns the angles of an orbit in degrees, at most 15 apart: all between the smallest and the largest
+/// key, or those of a whole turn.
+std::vector<double> turnsOf(const Orbit& orbit) {
+  double low = 1e9, high = -1e9;
+  for (const auto& key : orbit.turn.keys()) {
+    low = std::min(low, static_cast<double>(key.value));
+    high = std::max(high, static_cast<double>(key.value));
+  }
+  constexpr double apart = 15;
+  if (high - low >= 360 - apart) low = 0, high = 360 - apart;
+  const int steps = static_cast<int>(std::ceil((high - low) / apart));
+  std::vector<double> turns = {low};
+  for (int i = 1; i <= steps; ++i) turns.push_back(low + (high - low) * i / steps);
+  return turns;
+}
+
+/// Places an orbiting camera. The target is the centre of all extents or of the tracked object; if the
+/// camera does not turn, the visible extent is centred. The distance keeps all points in view at every
+/// angle of the orbit and at every key of the elevation.
 void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
   const Box box = boxAround(framed);
-  const glm::vec3 target = aimPoint(scene).value_or(0.5F * (box.min + box.max));
+  const std::optional<glm::vec3> aim = aimPoint(scene);
+  glm::vec3 target = aim.value_or(0.5F * (box.min + box.max));
   const std::vector<glm::vec3> points = pointsOf(framed);
-  constexpr int turns = 24;
   constexpr double radiansPerDegree = 0.017453292519943295;
+  const std::vector<double> turns = turnsOf(*camera.orbit);
+  const bool stands = turns.size() == 1 && camera.orbit->elevation.keys().size() == 1;
   float distance = 0, nearest = 0;
   for (const auto& key : camera.orbit->elevation.keys())
-    for (int i = 0; i < turns; ++i) {
-      const double turn = 360.0 / turns * i * radiansPerDegree;
+    for (const double degrees : turns) {
+      const double turn = degrees * radiansPerDegree;
       const double rise = static_cast<double>(key.value) * radiansPerDegree;
       const glm::vec3 back(ieee::cos(rise) * ieee::sin(turn), ieee::sin(rise),
                            ieee::cos(rise) * ieee::cos(turn));
-      distance = std::max(distance, distanceOf(lookFrom(back, scene), target, points));
+      const ViewAxes look = lookFrom(back, scene);
+      if (stands && !aim) target = centred(look, target, points);
+      distance = std::max(distance, distanceOf(look, target, points));
       for (const glm::vec3& point : points) nearest = std::max(nearest, glm::dot(point - target, back));
     }
   camera.target = target;
@@ -193,6 +215,20 @@ std::vector<Framed> framedObjects(const Scene& scene) {
     if (object.parameters)
       if (const std::optional<Box> box = object.parameters->framedAlone()) framed.push_back({*box});
   return framed;
+}
+
+void setApart(Scene& scene) {
+  const auto apart = [](const Object& object) { return dynamic_cast<SetApart*>(object.parameters.get()); };
+  if (std::none_of(scene.objects.begin(), scene.objects.end(), apart)) return;
+  std::vector<Framed> others;
+  for (const Object& object : scene.objects)
+    if (apart(object) == nullptr)
+      if (std::optional<Framed> one = framedOf(object)) others.push_back(std::move(*one));
+  for (const Object& object : scene.objects)
+    if (SetApart* const text = apart(object); text != nullptr && !others.empty()) {
+      text->standAbove(boxAround(others));
+      if (std::optional<Framed> one = framedOf(object)) others.push_back(std::move(*one));
+    }
 }
 
 Box boxAround(const std::vector<Framed>& framed) {

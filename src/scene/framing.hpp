@@ -18,6 +18,10 @@ struct Framed {
 /// Returns the smallest box around all extents. `framed` must not be empty.
 [[nodiscard]] Box boxAround(const std::vector<Framed>& framed);
 
+/// Moves objects whose place the scene leaves out, such as text, above all others (SetApart), one above the
+/// other.
+void setApart(Scene& scene);
+
 /// If the scene does not place its camera, places it so that all extents are in view with a margin. Flat
 /// scenes are seen from the front and above, tall scenes almost level and slightly from the side. On a
 /// stage, the camera looks diagonally through a longer lens, and the visible extent is centred.

@@ -10,14 +10,36 @@
 
 namespace simreel::scene {
 
+namespace {
+
+/// Returns the first object whose field has this extent, or nullptr.
+const Object* covers(const Scene& scene, Covering::Extent extent) {
+  const auto found = std::find_if(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+    const auto* covering = dynamic_cast<const Covering*>(object.parameters.get());
+    return covering != nullptr && covering->covering() == extent;
+  });
+  return found == scene.objects.end() ? nullptr : &*found;
+}
+
+/// Warns if the scene's own ground hides most of a field that is drawn behind all objects.
+void warnHiddenBehind(const Node& root, const Scene& scene, Diagnostics& diagnostics) {
+  const Object* field = covers(scene, Covering::Extent::behind);
+  if (field == nullptr || !scene.ground || !scene.ground->visible || scene.stage.leaves("ground")) return;
+  diagnostics.remark(
+      root.find("ground")->headPlace(),
+      fmt::format("the ground hides the picture of \"{}\", which is behind all objects; leave out "
+                  "\"ground\", or give it \"visible\": false",
+                  field->name));
+}
+
+}  // namespace
+
 void warnHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics) {
   if (const std::string advice = groundAdvice(scene); !advice.empty())
     diagnostics.remark(root.find("ground")->headPlace(), advice);
-  const auto cover = std::find_if(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
-    const auto* covering = dynamic_cast<const Covering*>(object.parameters.get());
-    return covering != nullptr && covering->covers();
-  });
-  if (cover == scene.objects.end()) return;
+  warnHiddenBehind(root, scene, diagnostics);
+  const Object* const cover = covers(scene, Covering::Extent::whole);
+  if (cover == nullptr) return;
   const auto hidden = std::find_if(scene.objects.begin(), scene.objects.end(),
                                    [](const Object& object) { return object.parameters->framed(); });
   if (hidden == scene.objects.end()) return;

@@ -5,8 +5,8 @@
 
 namespace simreel::scene {
 
-/// Warns if the ground given by the scene, or an object drawn over the whole picture, hides other objects.
-/// `root`: the scene's JSON tree.
+/// Warns if the ground given by the scene, or an object drawn over the whole picture, hides other objects
+/// or a field behind them. `root`: the scene's JSON tree.
 void warnHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace simreel::scene

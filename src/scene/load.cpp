@@ -219,6 +219,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     // Computing extents may read mesh files and subdivide meshes, so it is skipped unless the extents are
     // needed.
     std::vector<Framed> framed;
+    if (*version > 1) setApart(scene);
     if (staged || !scene.camera.placed) framed = framedObjects(scene);
     if (staged) setStage(scene, framed, *version);
     if (const std::string advice = stageAdvice(scene); !advice.empty())

@@ -3,6 +3,7 @@
 #include "scene/json/json_node.hpp"
 #include "scene/json/words.hpp"
 #include "scene/kind_hint.hpp"
+#include "scene/own_colors.hpp"
 #include "scene/papered.hpp"
 #include "scene/value/reader.hpp"
 #include "scene/value/value_reader.hpp"
@@ -64,6 +65,7 @@ Object readObject(const Node& node, ReadContext context, std::span<const Kind> k
       Reader::readObject(member, context, [&](Reader& fields) { object.parameters->describe(fields); });
     }
   }
+  remarkColors(node, object, context.diagnostics);
   giveSkin(object);
   const char* const drawnWith = object.parameters == nullptr ? nullptr : object.parameters->drawnWith();
   if (object.hasMaterial() && drawnWith != nullptr)
@@ -123,6 +125,7 @@ void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std:
     objects.push_back(readObject(child, context, kinds.list));
     good.push_back(context.diagnostics.count() == errorsBefore);
   }
+  if (context.version > 1) keepStateColors(node, objects);
   if (!kinds.check) return;
   kinds.check(objects,
               [&](const Object& object, const std::vector<std::string>& path, const std::string& message) {

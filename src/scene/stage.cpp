@@ -1,6 +1,7 @@
 #include "scene/stage.hpp"
 
 #include "base/ieee.hpp"
+#include "scene/covering.hpp"
 #include "scene/dressed.hpp"
 #include "scene/inked.hpp"
 #include "scene/stage_lamps.hpp"
@@ -34,6 +35,14 @@ float luminance(const glm::vec3& color) {
 bool anyIs(Parameters::Looks looks, const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
                      [&](const Object& object) { return object.parameters->looks() == looks; });
+}
+
+/// True if a field is drawn behind all objects, where a floor would hide it.
+bool hasFieldBehind(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+    const auto* covering = dynamic_cast<const Covering*>(object.parameters.get());
+    return covering != nullptr && covering->covering() == Covering::Extent::behind;
+  });
 }
 
 /// Returns the look of the scene's stage, including the scene's backdrop.
@@ -170,7 +179,8 @@ void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
   const bool hasSun = scene.sky.picture.empty() || !stage.leaves("sun");
   if (hasSun && stage.leaves("sun.diameter")) scene.sun.diameter = look.keyDiameter;
   if (hasSun && stage.leaves("sun.shadowSize")) scene.sun.shadowSize = 2048;
-  if (!scene.ground && stage.leaves("ground") && look.hasFloor && !landscape) scene.ground.emplace();
+  if (!scene.ground && stage.leaves("ground") && look.hasFloor && !landscape && !hasFieldBehind(scene))
+    scene.ground.emplace();
   if (scene.ground) {
     // A transparent picture has no background, and the floor counts as background.
     if (stage.leaves("ground")) scene.ground->visible = !scene.render.transparent;

@@ -11,10 +11,10 @@ namespace simreel::scene {
 /// photograph. A floor just below all objects fades into a background of the same brightness. A key light
 /// casts soft shadows, which the light of the sky brightens. A lamp behind the objects outlines their
 /// edges. Each object gets a colour of a small palette. Objects do not collide with the floor unless the
-/// scene gives "ground". `framed`: result of framedObjects(scene). If it is empty (pictures of fields),
-/// nothing changes. Landscapes change only if the scene gives a preset. `version`: version of the scene.
-/// Since version 2, dark stages have large soft lamps that polished metal mirrors, and text over the
-/// picture is dark on bright stages.
+/// scene gives "ground". A field that is drawn behind all objects replaces the floor. `framed`: result of
+/// framedObjects(scene). If it is empty (pictures of fields), nothing changes. Landscapes change only if
+/// the scene gives a preset. `version`: version of the scene. Since version 2, dark stages have large soft
+/// lamps that polished metal mirrors, and text over the picture is dark on bright stages.
 void setStage(Scene& scene, const std::vector<Framed>& framed, int version);
 
 /// Returns advice for a staged scene whose objects are hard to see on its stage. Returns an empty text if

@@ -10,6 +10,7 @@
 #include "sim/flow/sheet.hpp"
 #include "sim/fluid/wind.hpp"
 #include "sim/kernels/copies.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/ports/moving_points.hpp"
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 
 #include <fmt/format.h>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
 namespace simreel::sim {
 
@@ -84,7 +86,7 @@ ArrowGrid gridOf(const FluidWind& wind, float spacing, float height) {
 }
 
 /// Arrows that show the velocities of another object. This object has no state.
-class Arrows : public Simulation {
+class Arrows : public Simulation, public HasShownSpeeds, public HasColorScale {
  public:
   Arrows(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -130,6 +132,22 @@ class Arrows : public Simulation {
     }
     return table;
   }
+  [[nodiscard]] ColorScale colorScale() const override { return {parameters_.colors, range_, false, {}}; }
+  /// Computes the arrows once more with a range that no speed exceeds, and with a scale at which no arrow
+  /// is left out.
+  [[nodiscard]] std::vector<float> shownSpeeds() const override {
+    constexpr float whole = 1 << 20;  // m/s; a power of two, so that quotients are exact
+    ArrowPart part = part_;
+    part.low = 0.0F;
+    part.perRange = 1 / whole;
+    part.scale = whole * part_.longest.value;
+    place(part);
+    std::vector<float> shown;
+    for (const glm::vec4& speed : speeds_.buffer().readAll<glm::vec4>())
+      if (speed.w >= 0) shown.push_back(whole * speed.w);
+    update();
+    return shown;
+  }
   [[nodiscard]] std::optional<MeshTable> mesh() const override {
     MeshTable all = copiesOf(instances(), places_.buffer().readAll<glm::vec4>(),
                              speeds_.buffer().readAll<glm::vec4>(), turns_.buffer().readAll<glm::vec4>());
@@ -162,9 +180,9 @@ class Arrows : public Simulation {
   /// Determines the range of speeds and the anchor. `fastest` is the maximum speed of the source in m/s,
   /// `anchor` the default for this source.
   void planRange(float fastest, ArrowParameters::Anchor anchor) {
-    const auto low = static_cast<float>(parameters_.low);
-    const float high = parameters_.high ? static_cast<float>(*parameters_.high)
-                                        : std::max(fastest, low + 1e-3F * std::max(1.0F, low));
+    const auto low = static_cast<float>(parameters_.speeds.low);
+    const auto high = static_cast<float>(parameters_.speeds.last(static_cast<double>(fastest)));
+    range_ = {low, high};
     part_.count = static_cast<int>(std::min<std::int64_t>(count_, maxArrows));
     part_.scale = parameters_.scale ? static_cast<float>(*parameters_.scale) : part_.longest.value / high;
     part_.low = low;
@@ -172,24 +190,27 @@ class Arrows : public Simulation {
     part_.ahead = parameters_.anchor.value_or(anchor) == ArrowParameters::Anchor::tail ? 0.5F : 0.0F;
   }
 
-  void update() {
-    part_.places = places_;
-    part_.speeds = speeds_;
-    part_.turns = turns_;
+  void update() const { place(part_); }
+
+  /// Computes all arrows.
+  void place(ArrowPart part) const {
+    part.places = places_;
+    part.speeds = speeds_;
+    part.turns = turns_;
     gl::barrier();
     if (wind_ != nullptr)
-      ofGrid_.dispatch(part_.count.value, {.part = part_,
-                                           .columns = grid_.size.x,
-                                           .first = grid_.first,
-                                           .across = grid_.across,
-                                           .down = grid_.down,
-                                           .above = grid_.above,
-                                           .wind = wind_->part()});
+      ofGrid_.dispatch(part.count.value, {.part = part,
+                                          .columns = grid_.size.x,
+                                          .first = grid_.first,
+                                          .across = grid_.across,
+                                          .down = grid_.down,
+                                          .above = grid_.above,
+                                          .wind = wind_->part()});
     else
-      ofPoints_.dispatch(part_.count.value, {.part = part_,
-                                             .every = parameters_.every,
-                                             .positions = *points_->positions,
-                                             .velocities = *points_->velocities});
+      ofPoints_.dispatch(part.count.value, {.part = part,
+                                            .every = parameters_.every,
+                                            .positions = *points_->positions,
+                                            .velocities = *points_->velocities});
     gl::barrier();
   }
 
@@ -222,6 +243,7 @@ class Arrows : public Simulation {
   std::int64_t count_ = 0;
   ArrowGrid grid_;
   ArrowPart part_;
+  glm::vec2 range_{0, 1};  ///< speeds of the first and the last colour in m/s
   gl::Kernel<GridArrows> ofGrid_;
   gl::Kernel<PointArrows> ofPoints_;
   gl::Vec4Array places_;  ///< xyz: centre of the arrow in metres; w: length of the arrow in metres

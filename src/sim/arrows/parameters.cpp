@@ -2,6 +2,7 @@
 
 #include "sim/flow/look.hpp"
 #include "sim/fluid/wind.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/ports/field_source.hpp"
 #include "sim/ports/moving_points.hpp"
 
@@ -36,11 +37,10 @@ void ArrowParameters::describe(scene::Fields& f) {
   f.optionalNumber("scale", scale, {1e-6, 1e6}, "s", "Length in metres of an arrow of 1 m/s.");
   f.leftOut("scale", "\"length\" at the speed \"high\"");
   describeColors(f, colors);
-  f.number("low", low, scene::notNegative, "m/s", "Speed of the first colour.");
-  f.optionalNumber("high", high, scene::notNegative, "m/s",
-                   "Speed of the last colour, and of the longest arrows.");
-  f.leftOut("high",
-            "of a fluid its \"speed\", of a flow the greatest, of particles the greatest at the start");
+  speeds.describe(
+      f, "Speed of the last colour, and of the longest arrows; \"auto\": the highest of the run.",
+      "of a fluid its \"speed\", of a flow the greatest, of particles the greatest at the start; "
+      "in version 2 \"auto\"");
   int place = 0;
   f.oneOf("anchor", place, {"middle", "tail"}, "Point of the arrow that is where its velocity is.");
   f.leftOut("anchor", "\"middle\", of particles \"tail\"");
@@ -50,13 +50,13 @@ void ArrowParameters::describe(scene::Fields& f) {
   f.leftOut("height", "0.15 times \"length\"");
   f.boolean("sheet", sheet, "Draws the source's rectangle behind the arrows, in the colours of its field.");
   if (of.empty()) f.error("of", "whose velocities? Give \"of\", the name of a fluid, a flow or particles");
-  if (high && *high <= low) f.error("high", "\"high\" must be above \"low\"");
 }
 
 void ArrowParameters::ports(Ports& ports) const {
   if (of.empty()) return;
   ports.requireFrom<ArrowSource>(of, {"of"});
   if (sheet) ports.want<FieldSource>(of, {"of"});
+  ports.provide<ColorScale>(!colors.empty(), " without \"colors\"");
 }
 
 }  // namespace simreel::sim

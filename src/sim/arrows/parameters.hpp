@@ -1,7 +1,9 @@
 #pragma once
+#include "scene/own_colors.hpp"
 #include "scene/papered.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/flow/speed_range.hpp"
 
 #include <optional>
 #include <string>
@@ -18,7 +20,11 @@ struct ArrowSource {
 };
 
 /// Parameters of the object kind "arrows".
-struct ArrowParameters : ObjectParameters, scene::HasFieldSkin {
+struct ArrowParameters : ObjectParameters,
+                         HasColorRange,
+                         ShowsSpeedsOf,
+                         scene::HasFieldSkin,
+                         scene::HasOwnColors {
   enum class Anchor { middle, tail };
   std::string of;                 ///< name of the object whose velocities are drawn
   std::optional<double> spacing;  ///< distance between arrows in metres; if empty, 1/28 of the longer side
@@ -28,9 +34,7 @@ struct ArrowParameters : ObjectParameters, scene::HasFieldSkin {
                                   ///< grid, or 8 point diameters at points
   std::optional<double> scale;    ///< length of an arrow in metres per m/s; if empty, `length` divided by
                                   ///< `high`
-  double low = 0;                 ///< speed of the first colour in m/s
-  std::optional<double> high;     ///< speed of the last colour in m/s; if empty, the maximum speed of the
-                                  ///< source
+  SpeedRange speeds;              ///< speeds of the first and the last colour
   std::vector<glm::vec3> colors;  ///< linear RGB stops of the colour map; if empty, the arrows have the
                                   ///< object's material
   std::optional<Anchor> anchor;   ///< part of the arrow that is at the sample point; if empty, the middle
@@ -41,6 +45,11 @@ struct ArrowParameters : ObjectParameters, scene::HasFieldSkin {
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
+  [[nodiscard]] const char* coloredBy() const override {
+    return colors.empty() ? nullptr : "its \"colors\"";
+  }
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return speeds.measured(); }
+  [[nodiscard]] const std::string& source() const override { return of; }
   [[nodiscard]] std::string fieldShown(const std::string& /*object*/) const override {
     return sheet ? of : "";
   }

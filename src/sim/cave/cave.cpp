@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -131,6 +134,8 @@ class Cave final : public Simulation {
                    static_cast<float>(parameters_.display.high)};
     field.colors = &colors_;
     field.display = &parameters_.display;
+    static const std::vector<std::pair<int, std::string>> classes = {{0, "open"}, {1, "rock"}};
+    if (colors_.size() == 2 && field.range == glm::vec2(0, 1)) field.classes = &classes;
     return field;
   }
   /// Returns the field whose contours are the solid's walls while it moves from stage to stage.

@@ -6,6 +6,7 @@
 #include "sim/contour/solid.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/grid/picture_file.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/ports/field_source.hpp"
 
 #include <cstring>
@@ -15,8 +16,6 @@
 namespace simreel::sim {
 
 namespace {
-
-constexpr int maxImageSide = 16384;
 
 /// Returns the palette with five shades per class. A face beside a wall that rises from it is darkened,
 /// because it is in the wall's shadow.
@@ -31,7 +30,7 @@ std::vector<glm::vec4> contourPalette(const std::vector<glm::vec3>& classes) {
 class ImageField {
  public:
   ImageField(const std::string& name, const std::filesystem::path& file) {
-    const Picture picture = loadPicture(file, "image", maxImageSide);
+    const Picture picture = loadPicture(file, "image", maxSolidImageSide);
     std::vector<glm::vec4> four(
         (static_cast<std::size_t>(picture.size.x) * static_cast<std::size_t>(picture.size.y) + 3) / 4);
     std::size_t i = 0;
@@ -55,7 +54,7 @@ class ImageField {
   Field field_;
 };
 
-class Contour final : public Simulation {
+class Contour final : public Simulation, public HasColorScale {
  public:
   Contour(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -102,6 +101,9 @@ class Contour final : public Simulation {
     for (glm::vec3& position : table.positions) position += parameters_.position;
     return table;
   }
+  [[nodiscard]] ColorScale colorScale() const override {
+    return {parameters_.colors(), parameters_.colorRange(source()), false, {}};
+  }
   [[nodiscard]] std::optional<ContourLines> lines() const override { return solid_->lines(); }
 
  private:
@@ -130,7 +132,7 @@ SimulationKind contourKind() {
       [](const scene::Object& object, const Setting& /*setting*/) {
         const auto& parameters = parametersOf<ContourParameters>(object);
         if (!parameters.image.empty())
-          static_cast<void>(loadPicture(parameters.image, "image", maxImageSide));
+          static_cast<void>(loadPicture(parameters.image, "image", maxSolidImageSide));
       },
       makeSimulation<Contour>);
 }

@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/grid/color_map.hpp"
+#include "sim/grid/picture_file.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/ports/field_source.hpp"
 
 #include <algorithm>
@@ -45,9 +47,21 @@ void ContourParameters::describe(scene::Fields& f) {
 
 std::optional<scene::Box> ContourParameters::framed() const {
   if (!visible) return std::nullopt;
+  float highest = 0;
+  for (const auto& key : height.keys()) highest = std::max(highest, key.value);
   const float half = 0.5F * width;
-  return scene::Box{position + glm::vec3(-half, -base, -half),
-                    position + glm::vec3(half, height.at(0), half)};
+  const float deep = half * aspect();
+  return scene::Box{position + glm::vec3(-half, -base, -deep), position + glm::vec3(half, highest, deep)};
+}
+
+float ContourParameters::aspect() const {
+  if (image.empty()) return 1;
+  try {
+    const glm::dvec2 size(loadPicture(image, "image", maxSolidImageSide).size);
+    return static_cast<float>(std::min((size.y + 1) / (size.x + 1), 1e3));
+  } catch (const UserError&) {
+    return 1;  // The check of the object reports the error.
+  }
 }
 
 std::vector<float> ContourParameters::heightsAt(double time) const {
@@ -79,6 +93,13 @@ SolidShape ContourParameters::shape(const Field& source, double time) const {
   return shape;
 }
 
+glm::vec2 ContourParameters::colorRange(const Field& source) const {
+  const std::vector<float> all = shape(source, 0).levels;
+  const float half = all.size() > 1 ? 0.5F * (all.back() - all.front()) / static_cast<float>(all.size() - 1)
+                                    : 0.5F * (source.range.y - source.range.x);
+  return {all.front() - half, all.back() + half};
+}
+
 std::vector<glm::vec3> ContourParameters::colors() const {
   const std::vector<glm::vec3> stops = colorMapStops(map);
   std::vector<glm::vec3> colors;
@@ -94,6 +115,7 @@ std::vector<glm::vec3> ContourParameters::colors() const {
 
 void ContourParameters::ports(Ports& ports) const {
   if (image.empty()) ports.requireFrom<FieldSource>(field, {"field"});
+  ports.provide<ColorScale>(visible, " that is not \"visible\"");
   ports.provide<Walls>();
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/own_colors.hpp"
 #include "sim/contour/solid.hpp"
 #include "sim/core/kind.hpp"
 
@@ -13,7 +14,7 @@
 namespace simreel::sim {
 
 /// Scene parameters of a contour: a field shown as a terraced solid.
-struct ContourParameters final : ObjectParameters {
+struct ContourParameters final : ObjectParameters, scene::HasOwnColors {
   std::string field;            ///< Name of the object whose field is shown.
   std::filesystem::path image;  ///< Image used instead of a field; its levels 0 to 255 become values 0 to
                                 ///< 1.
@@ -29,8 +30,8 @@ struct ContourParameters final : ObjectParameters {
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
-  /// Returns the bounding box for the default camera. The depth depends on the field and is assumed to
-  /// equal the width.
+  [[nodiscard]] const char* coloredBy() const override { return "its \"map\""; }
+  /// Returns the bounding box for the default camera. The depth of a field is assumed to equal the width.
   [[nodiscard]] std::optional<scene::Box> framed() const override;
 
   /// Returns the solid's shape for a field, with the heights at `time` (seconds). Levels that are not given
@@ -38,8 +39,18 @@ struct ContourParameters final : ObjectParameters {
   /// not ascending.
   [[nodiscard]] SolidShape shape(const Field& field, double time) const;
   [[nodiscard]] std::vector<float> heightsAt(double time) const;
+  /// Returns the values in the middle of the first and the last class, if classes beyond the first and the
+  /// last level were as wide as the others.
+  [[nodiscard]] glm::vec2 colorRange(const Field& field) const;
   /// Returns the linear RGB colour of each class, starting with the lowest class.
   [[nodiscard]] std::vector<glm::vec3> colors() const;
+
+ private:
+  /// Returns the depth as a fraction of the width: that of the image, or 1 for a field.
+  [[nodiscard]] float aspect() const;
 };
+
+/// Maximum side in pixels of an image.
+inline constexpr int maxSolidImageSide = 16384;
 
 }  // namespace simreel::sim

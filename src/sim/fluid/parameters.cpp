@@ -53,8 +53,8 @@ void describeStroke(scene::Fields& f, FluidStroke& stroke) {
 
 /// Returns the default strokes: thin jets that start on an ellipse and are all aimed past the centre on the
 /// same side, so that together they rotate. Each jet has two adjacent colours, one of which it has in
-/// common with the next jet.
-std::vector<FluidStroke> standardStrokes(glm::ivec2 size) {
+/// common with the next jet. `early`: true if they begin with the run rather than at 0 s.
+std::vector<FluidStroke> standardStrokes(glm::ivec2 size, bool early) {
   constexpr int count = 5;
   constexpr glm::vec3 colors[count] = {{1.7F, 0.03F, 0.01F},
                                        {1.6F, 0.45F, 0.01F},
@@ -75,6 +75,7 @@ std::vector<FluidStroke> standardStrokes(glm::ivec2 size) {
           0.5F * glm::vec2(w, h) + from + across * (2.6F * scale * static_cast<float>(2 * side - 1));
       FluidStroke s;
       s.until = 1e6;
+      s.early = early;
       s.from = s.to = glm::vec3(at, 0);
       s.radius = std::max(4.2F * scale, 1.5F);
       s.setsVelocity = s.setsDye = true;
@@ -90,12 +91,12 @@ std::vector<FluidStroke> standardStrokes(glm::ivec2 size) {
 
 FluidParameters::FluidParameters() {
   display.map = "viridis";
-  strokes = standardStrokes(size);
+  strokes = standardStrokes(size, false);
 }
 
 void FluidParameters::fitPicture(glm::ivec2 picture) {
   size = display.fittedGrid(size, picture);
-  if (!ownStrokes) strokes = standardStrokes(size);
+  if (!ownStrokes) strokes = standardStrokes(size, true);
 }
 
 void FluidParameters::describe(scene::Fields& f) {
@@ -171,7 +172,7 @@ void FluidParameters::describe(scene::Fields& f) {
   f.boolean("obstaclesSlip", obstaclesSlip, "Lets the fluid slip along obstacles; else it sticks to them.");
   f.color("obstacleColor", obstacleColor, {0, 1e4}, "Colour of obstacles, linear RGB.");
   ownStrokes = f.given("strokes");
-  if (!ownStrokes) strokes = standardStrokes(size);
+  if (!ownStrokes) strokes = standardStrokes(size, f.version() > 1);
   f.list("strokes", strokes, "Timed strokes that set velocity, temperature or dye, or push.",
          describeStroke);
   f.leftOut("strokes", "jets of dye from five sides");

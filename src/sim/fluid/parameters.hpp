@@ -110,7 +110,7 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering, scene
     if (display.layer != FieldDisplay::Layer::none) return std::nullopt;
     return boxOfPlane(plane, size);
   }
-  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
+  [[nodiscard]] Extent covering() const override { return display.covering(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
     return std::int64_t{16} * (size.x + 2) * (size.y + 2);

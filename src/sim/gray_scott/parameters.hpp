@@ -60,7 +60,7 @@ struct GrayScottParameters : ObjectParameters, HasColorRange, scene::Covering, s
   void fitPicture(glm::ivec2 picture) override { size = display.fittedGrid(size, picture); }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
-  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
+  [[nodiscard]] Extent covering() const override { return display.covering(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
     return std::int64_t{8} * size.x * size.y;

@@ -82,6 +82,14 @@ glm::ivec2 FieldDisplay::fittedGrid(glm::ivec2 standard, glm::ivec2 picture) con
   return glm::max(glm::ivec2(std::lround(times * ratio.x), std::lround(times * ratio.y)), glm::ivec2(8));
 }
 
+scene::Covering::Extent FieldDisplay::covering() const {
+  using Extent = scene::Covering::Extent;
+  if (layer == Layer::none) return Extent::none;
+  if (layer == Layer::behind) return Extent::behind;
+  const bool whole = corner.x <= 0 && corner.y <= 0 && corner.x + extent.x >= 1 && corner.y + extent.y >= 1;
+  return whole && opacity.at(0) >= 1 ? Extent::whole : Extent::part;
+}
+
 std::vector<glm::vec3> FieldDisplay::colors() const {
   return stops.empty() ? colorMapStops(map) : stops;
 }

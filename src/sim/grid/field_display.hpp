@@ -55,11 +55,8 @@ struct FieldDisplay {
   void describe(scene::Fields& fields);
   /// Returns `stops`, or if they are empty the stops of the colour map.
   [[nodiscard]] std::vector<glm::vec3> colors() const;
-  /// Returns true if the display covers the whole picture at time 0 and is opaque.
-  [[nodiscard]] bool coversPicture() const {
-    return layer == Layer::over && opacity.at(0) >= 1 && corner.x <= 0 && corner.y <= 0 &&
-           corner.x + extent.x >= 1 && corner.y + extent.y >= 1;
-  }
+  /// Returns the part of the picture that the display covers at time 0.
+  [[nodiscard]] scene::Covering::Extent covering() const;
   /// Returns the colour range if at least one end must be measured. `path` is the path of the display's
   /// group.
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges(const char* path = "display") {

@@ -67,7 +67,9 @@ void StrokeParameters::describe(scene::Fields& f, double max, const char* valueD
            "A circle that may move, a line, or the light pixels of an image.");
   f.number("at", at, scene::anyNumber, "s",
            "Time at which the stroke begins; the first state at this time or later has it.");
+  f.leftOut("at", "0; in version 2 with \"until\" the start of the run");
   f.number("until", until, scene::anyNumber, "s", "When it ends; not after \"at\": it paints once.");
+  early = f.version() > 1 && !f.given("at") && until > at;
   f.vector("from", from, {-1e6, 1e6}, "cells",
            "Middle of the circle, start of the line, or top left of the image; the third number counts "
            "only in volumes.");
@@ -112,7 +114,7 @@ glm::vec3 strokePlace(const StrokeParameters& p, double time) {
 // step.
 bool isDue(const StrokeParameters& p, double time, double seconds) {
   const double hair = 1e-6 * seconds;
-  return p.at <= time + hair && (paintsOnce(p) ? p.at : p.until) > time - seconds + hair;
+  return (p.early || p.at <= time + hair) && (paintsOnce(p) ? p.at : p.until) > time - seconds + hair;
 }
 
 StrokeWay strokeWay(const StrokeParameters& p, double time, double seconds) {

@@ -21,12 +21,13 @@ struct StrokeParameters {
   Shape shape = Shape::circle;
   double at =
       0;  ///< Start time in seconds of scene time. The first state at or after this time shows the stroke.
-  double until = 0;   ///< End time in seconds. If it is not after `at`, the stroke paints only once.
-  glm::vec3 from{0};  ///< Centre of a circle, start of a line, or top left corner of an image, in cells
-                      ///< (third component unused).
-  glm::vec3 to{0};    ///< Position of a circle at the time `until`, or end of a line, in cells; by default
-                      ///< equal to `from`.
-  float radius = 3;   ///< Radius in cells, or half the width of a line.
+  bool early = false;  ///< True if the stroke also acts before `at`, from the start of the run.
+  double until = 0;    ///< End time in seconds. If it is not after `at`, the stroke paints only once.
+  glm::vec3 from{0};   ///< Centre of a circle, start of a line, or top left corner of an image, in cells
+                       ///< (third component unused).
+  glm::vec3 to{0};     ///< Position of a circle at the time `until`, or end of a line, in cells; by default
+                       ///< equal to `from`.
+  float radius = 3;    ///< Radius in cells, or half the width of a line.
   std::filesystem::path image;  ///< Image whose bright pixels (level above 127) are painted.
   double value = 1;             ///< Painted value; its meaning depends on the simulation.
   float fraction = 1;           ///< Fraction of the covered cells that are painted; a hash selects these

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "scene/covering.hpp"
 #include "sim/ports/field_source.hpp"
 #include "sim/ports/landform.hpp"
 
@@ -12,6 +13,36 @@
 #include <fmt/format.h>
 
 namespace simreel::sim {
+
+namespace {
+
+/// Port of objects that publish a field and draw it over the picture or behind it.
+struct ShownField {
+  static const PortInfo port;
+};
+
+constinit const PortInfo ShownField::port = {
+    .name = "shown field",
+    .lacks =
+        ", which shows no field over the picture, so the lines have no place; give a field "
+        "\"display\": {\"layer\": \"over\"}",
+    .none = "the scene shows no field",
+    .when = When::afterFrame,
+    .part = "field",
+    .implied =
+        [](const scene::Object& provider, std::vector<std::string>& parts) {
+          const auto* covering = dynamic_cast<const scene::Covering*>(provider.parameters.get());
+          if (covering != nullptr && covering->covering() == scene::Covering::Extent::none) return false;
+          for (const Ports::Offer& offer : portsOf(provider).offers)
+            if (offer.port == &FieldSource::port && offer.given) {
+              parts = offer.parts;
+              return true;
+            }
+          return false;
+        },
+};
+
+}  // namespace
 
 void IsolineParameters::describe(scene::Fields& f) {
   f.text("of", of,
@@ -65,7 +96,7 @@ std::filesystem::path IsolineParameters::fontFile() const {
 }
 
 void IsolineParameters::ports(Ports& ports) const {
-  if (!of.empty()) ports.requireFrom<FieldSource>(of, {"of"}, When::afterFrame);
+  if (!of.empty()) ports.requireFrom<ShownField>(of, {"of"}, When::afterFrame);
   if (!terrain.empty()) ports.requireFrom<Landform>(terrain, {"terrain"}, When::afterFrame);
 }
 

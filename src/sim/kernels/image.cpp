@@ -53,7 +53,7 @@ struct ImagePass {
 };
 
 /// Parameters of the object kind "image": passes with mainImage() that compute a picture.
-struct ImageParameters : KernelsParameters, scene::Covering {
+struct ImageParameters : KernelsParameters {
   glm::ivec2 pixels{960, 540};
   ImagePass image;
   std::vector<ImagePass> passes;
@@ -80,7 +80,7 @@ struct ImageParameters : KernelsParameters, scene::Covering {
     wantFields(ports, image, {});
   }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
-  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
+  [[nodiscard]] Extent covering() const override { return display.covering(); }
   /// An image computes its colours, so it has no colour range.
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return {}; }
 

@@ -247,6 +247,12 @@ const char* KernelsParameters::drawnWith() const {
   return onlyField ? "its \"field\"" : nullptr;
 }
 
+scene::Covering::Extent KernelsParameters::covering() const {
+  if (plan == nullptr || !plan->drawn().field || !field) return Extent::none;
+  const Extent extent = field->display.covering();
+  return extent == Extent::whole ? Extent::part : extent;
+}
+
 std::optional<scene::Box> KernelsParameters::framed() const {
   return plan == nullptr ? std::nullopt : plan->box();
 }

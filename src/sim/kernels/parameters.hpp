@@ -18,7 +18,7 @@
 namespace simreel::sim {
 
 /// Parameters of the object kind "kernels".
-struct KernelsParameters : ObjectParameters, HasColorRange, KernelDescription {
+struct KernelsParameters : ObjectParameters, HasColorRange, KernelDescription, scene::Covering {
   /// Created by describe() while a scene is loaded; null if the file cannot be compiled.
   std::shared_ptr<const KernelPlan> plan;
   /// Requests from which the shader was compiled: one per pass of an image, otherwise one.
@@ -32,6 +32,9 @@ struct KernelsParameters : ObjectParameters, HasColorRange, KernelDescription {
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override;
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override { return quantityList; }
   [[nodiscard]] const char* drawnWith() const override;
+  /// Returns `part` for a field over the whole picture, too, because such kernels may also draw things in
+  /// the world.
+  [[nodiscard]] Extent covering() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] Looks looks() const override;
   [[nodiscard]] bool motionIsUnpredictable() const override;

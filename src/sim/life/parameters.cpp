@@ -4,6 +4,8 @@
 #include "sim/life/cell_pattern.hpp"
 #include "sim/ports/field_source.hpp"
 
+#include <cstdint>
+
 #include <fmt/format.h>
 
 namespace simreel::sim {
@@ -12,6 +14,8 @@ namespace {
 
 constexpr int fittedTrail = 24;  // A fitted grid has few, large cells. Their trail shows how the pattern
                                  // moves.
+constexpr std::int64_t trailCells = 1 << 20;  // Larger grids have a trail only if the scene gives it,
+                                              // because it takes four times the memory of the cells.
 
 }  // namespace
 
@@ -97,11 +101,12 @@ void LifeParameters::describe(scene::Fields& f) {
            "Generations a second, whatever the frame rate.");
   const bool fewCells = f.version() > 1 && patterns.empty() && !display.sized;
   if (fewCells) size = {128, 128};
-  if (fitted || fewCells) trail = fittedTrail;
+  const bool fewGiven = f.version() > 1 && std::int64_t{size.x} * size.y <= trailCells;
+  if (fitted || fewGiven) trail = fittedTrail;
   f.integer("trail", trail, {0, maxTrail}, "steps",
             "For how long dead cells fade, of two states; needs another byte a cell; 0: no trail.");
   trailGiven = f.given("trail");
-  f.leftOut("trail", "0; 24 where the grid fits patterns, or in version 2 the picture");
+  f.leftOut("trail", "0; 24 where the grid fits patterns, or in version 2 has at most 2^20 cells");
   if (trail > 0) display.high = brightLevel();
   f.group("display",
           "How it is laid over the picture. Values: 0 dead, 1 alive; with a trail 0 to trail for what has "

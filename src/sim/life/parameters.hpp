@@ -53,7 +53,8 @@ struct LifeParameters : ObjectParameters, HasColorRange, scene::Covering, scene:
   }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
-  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
+  [[nodiscard]] Extent covering() const override { return display.covering(); }
+  [[nodiscard]] bool hasStates() const override { return true; }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
     return std::int64_t{size.x} * size.y / 8;

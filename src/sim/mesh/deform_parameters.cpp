@@ -32,9 +32,16 @@ void describeSway(scene::Fields& f, Sway& s) {
   f.number("direction", s.direction, {-360, 360}, "degrees", directionDoc);
   f.number("amplitude", s.amplitude, {0, 1e3}, "m",
            "Distance that a part leans at the height \"height\" over the base.");
+  f.leftOut("amplitude", "0.2; in version 2 a fifth of \"height\"");
   f.number("base", s.base, {-1e4, 1e4}, "m", "Height below which nothing moves.");
+  f.leftOut("base", "0; in version 2 the lowest point of the mesh");
   f.number("height", s.height, {1e-3, 1e4}, "m", "Above the base; the lean grows with its square.");
+  f.leftOut("height", "1; in version 2 the mesh's height above the base");
   f.number("wavelength", s.wavelength, {1e-2, 1e4}, "m", "Wavelength of the gusts.");
+  f.leftOut("wavelength", "3; in version 2 three times \"height\"");
+  const bool fits = f.version() > 1;
+  s.fitted = {fits && !f.given("amplitude"), fits && !f.given("base"), fits && !f.given("height"),
+              fits && !f.given("wavelength")};
   f.number("speed", s.speed, {-1e4, 1e4}, "1/s", "Radians of the gusts' phase a second.");
   f.number("lean", s.lean, {-10, 10}, "", "Constant fraction of the amplitude.");
   f.number("gusts", s.gusts, {0, 10}, "", "Changing fraction of the amplitude.");
@@ -97,7 +104,10 @@ void DeformParameters::describe(scene::Fields& f) {
                       static_cast<int>(d.sway.on) + static_cast<int>(d.footprints.on) +
                       static_cast<int>(d.push.on);
     if (named != 1)
-      f.error("deform", fmt::format("entry {} names {} displacements; it must name exactly one", i, named));
+      f.error("deform",
+              fmt::format("entry {} names {} displacements; it must name exactly one of \"ripple\", "
+                          "\"waves\", \"sway\", \"footprints\" and \"push\"",
+                          i, named));
   }
   if (count > shader::maxDisplacements)
     f.error("deform", fmt::format("{} displacements (each wave counts as one) are more than {}", count,

@@ -42,6 +42,13 @@ struct Sway : shader::SwayStep {
   float height = 1.0F;      ///< height in metres above the base at which the lean reaches the amplitude
   float wavelength = 3.0F;  ///< wavelength of the gusts in metres
   float speed = 2.0F;       ///< phase velocity in radians per second
+  /// States which values follow from the size of the mesh.
+  struct Fitted {
+    bool amplitude = false, base = false, height = false, wavelength = false;
+  };
+  Fitted fitted{};
+  /// Returns these parameters with the fitted values for a mesh whose heights (m) are `low` to `high`.
+  [[nodiscard]] Sway onMesh(float low, float high) const;
 };
 
 struct Footprints : shader::TrailStep {

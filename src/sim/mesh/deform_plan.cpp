@@ -75,6 +75,16 @@ glm::vec3 unturned(const glm::mat4& m, const glm::vec3& v) {
 
 }  // namespace
 
+Sway Sway::onMesh(float low, float high) const {
+  Sway s = *this;
+  if (fitted.base) s.base = low;
+  // A mesh that does not rise above the base has nothing that sways; its values do not matter.
+  if (const float rise = high - s.base; fitted.height && rise > 1e-6F) s.height = rise;
+  if (fitted.amplitude) s.amplitude = 0.2F * s.height;
+  if (fitted.wavelength) s.wavelength = 3 * s.height;
+  return s;
+}
+
 DeformPlan::DeformPlan(const std::string& name, const MeshParameters& parameters, const Mesh& mesh,
                        const std::vector<ColliderShape>& colliders)
     : parameters_(parameters),
@@ -115,7 +125,7 @@ void DeformPlan::checkPhases(const std::string& name) const {
   for (const DisplacementParameters& d : parameters_.deform.list) {
     if (d.ripple.on) check("ripple", d.ripple.wavelength, reach + glm::length(glm::dvec3(d.ripple.centre)));
     for (const Wave& w : d.waves) check("waves", w.length, reach);
-    if (d.sway.on) check("sway", d.sway.wavelength, 17 * reach);
+    if (d.sway.on) check("sway", d.sway.onMesh(low_.y, high_.y).wavelength, 17 * reach);
   }
 }
 
@@ -170,7 +180,7 @@ shader::DeformStep DeformPlan::at(double time) const {
   for (const DisplacementParameters& d : parameters_.deform.list) {
     if (d.ripple.on) add(of(d.ripple, time));
     for (const Wave& w : d.waves) add(of(w, time));
-    if (d.sway.on) add(of(d.sway, time));
+    if (d.sway.on) add(of(d.sway.onMesh(low_.y, high_.y), time));
     if (d.push.on) add(of(d.push));
     if (d.footprints.on) {
       shader::Displacement prints{};

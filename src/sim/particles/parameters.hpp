@@ -1,5 +1,6 @@
 #pragma once
 #include "glsl/common/cpp.hpp"
+#include "scene/own_colors.hpp"
 #include "scene/value/fields.hpp"
 #include "scene/warm.hpp"
 #include "sim/collide/mesh_colliders.hpp"
@@ -90,6 +91,7 @@ struct ParticleParameters : ObjectParameters,
                             HasColorRange,
                             TouchesMeshes,
                             scene::HasWarmUp,
+                            scene::HasOwnColors,
                             shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
   std::vector<Emitter> emitters;
@@ -134,6 +136,9 @@ struct ParticleParameters : ObjectParameters,
   [[nodiscard]] std::optional<float> supportHeight() const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool motionIsUnpredictable() const override { return true; }
+  [[nodiscard]] const char* coloredBy() const override {
+    return colorBy == Instances::ColorBy::material ? nullptr : "its \"colorBy\"";
+  }
   /// Returns the longest life of a particle, at most 4 s, if all emitters start at once and there are no
   /// groups; else 0.
   [[nodiscard]] double warmUp() const override;

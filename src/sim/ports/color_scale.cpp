@@ -10,7 +10,9 @@ namespace simreel::sim {
 const PortInfo ColorScale::port = {
     .name = "colour scale",
     .lacks = ", which is not drawn in colours of a scale",
-    .none = "the scene has no field, and no particles, cloth or points with \"colorBy\"",
+    .none =
+        "the scene has no field or contour, no particles, cloth or points with \"colorBy\", and no "
+        "arrows or streamlines with \"colors\"",
     .when = When::afterFrame,
     .part = "field",
     .implied =
@@ -27,7 +29,9 @@ const PortInfo ColorScale::port = {
 ColorScale colorScaleOf(const Links& links, const std::string& name) {
   const std::string object(PartName(name).object);
   Drawables drawables;
-  if (const Simulation* owner = links.simulation(object)) owner->publish(links.now(), drawables);
+  const Simulation* const owner = links.simulation(object);
+  if (const auto* scaled = dynamic_cast<const HasColorScale*>(owner)) return scaled->colorScale();
+  if (owner != nullptr) owner->publish(links.now(), drawables);
   for (const Field& field : drawables.fields)
     if (*field.name == name && field.colors != nullptr) {
       if (field.ownColors)
@@ -35,7 +39,8 @@ ColorScale colorScaleOf(const Links& links, const std::string& name) {
              "\"{}\" is drawn in colours of its own, which a bar cannot explain; show a quantity, for a "
              "fluid \"show\": \"speed\"",
              name);
-      ColorScale scale{*field.colors, field.range, field.categories, {}};
+      // Cells that are bits have two classes, whose colours are also the ends of a map.
+      ColorScale scale{*field.colors, field.range, field.categories || field.classes != nullptr, {}};
       if (field.classes != nullptr) scale.classes = *field.classes;
       return scale;
     }

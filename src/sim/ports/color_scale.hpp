@@ -10,8 +10,8 @@
 
 namespace simreel::sim {
 
-/// Port of objects that are drawn in the colours of a scale: fields, and also particles, cloth and points
-/// of kernels if they have "colorBy".
+/// Port of objects that are drawn in the colours of a scale: fields, contours, particles, cloth and points
+/// of kernels with "colorBy", and arrows and streamlines with "colors".
 struct ColorScale {
   static const PortInfo port;
 
@@ -22,9 +22,16 @@ struct ColorScale {
                                                      ///< if none is shown
 };
 
+/// Interface of simulations whose colours follow a scale that their drawables do not state.
+class HasColorScale {
+ public:
+  virtual ~HasColorScale() = default;
+  [[nodiscard]] virtual ColorScale colorScale() const = 0;
+};
+
 /// Returns the current scale of the field OBJECT or OBJECT.PART, or if there is no such field, of the
-/// particles, points or cloth OBJECT. Throws UserError(usage) for an object that is not drawn in colours of
-/// a scale.
+/// object OBJECT itself: particles, points, cloth, a contour, arrows or streamlines. Throws
+/// UserError(usage) for an object that is not drawn in colours of a scale.
 [[nodiscard]] ColorScale colorScaleOf(const Links& links, const std::string& name);
 
 }  // namespace simreel::sim

@@ -120,8 +120,8 @@ struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Co
   [[nodiscard]] const char* drawnWith() const override {
     return space() == RuleSpace::plane ? "its \"display\"" : nullptr;
   }
-  [[nodiscard]] bool covers() const override {
-    return space() == RuleSpace::plane && display.coversPicture();
+  [[nodiscard]] Extent covering() const override {
+    return space() == RuleSpace::plane ? display.covering() : Extent::none;
   }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t minLargestBufferBytes() const override {

@@ -34,7 +34,8 @@ struct SpreadParameters : scene::Covering {
   bool chart = false;
   double chartSeconds = 0;  ///< initial length of the chart's x axis in seconds; it grows when needed
   FieldDisplay display;
-  [[nodiscard]] bool covers() const override { return display.coversPicture(); }
+  [[nodiscard]] Extent covering() const override { return display.covering(); }
+  [[nodiscard]] bool hasStates() const override { return true; }
   /// Declares the fields size, border and stepsPerSecond.
   void describeGrid(scene::Fields& fields);
   /// Declares the fields chart, chartSeconds and display. Rejects a colour map, because the simulation

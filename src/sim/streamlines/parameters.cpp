@@ -2,6 +2,7 @@
 
 #include "sim/flow/look.hpp"
 #include "sim/fluid/wind.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/ports/field_source.hpp"
 
 namespace simreel::sim {
@@ -18,21 +19,20 @@ void StreamlineParameters::describe(scene::Fields& f) {
   f.integerOr("seed", seed, "scene", {0, 1 << 30}, "",
               "Number that moves the points from which lines start; \"scene\": the scene's own seed.");
   describeColors(f, colors);
-  f.number("low", low, scene::notNegative, "m/s", "Speed of the first colour.");
-  f.optionalNumber("high", high, scene::notNegative, "m/s", "Speed of the last colour.");
-  f.leftOut("high", "of a fluid its \"speed\", of a flow the greatest");
+  speeds.describe(f, "Speed of the last colour; \"auto\": the highest of the run.",
+                  "of a fluid its \"speed\", of a flow the greatest; in version 2 \"auto\"");
   f.optionalNumber("height", height, {-1e4, 1e4}, "m",
                    "Distance of the lines in front of the source's rectangle.");
   f.leftOut("height", "\"width\"");
   f.boolean("sheet", sheet, "Draws the source's rectangle behind the lines, in the colours of its field.");
   if (of.empty()) f.error("of", "whose flow? Give \"of\", the name of a fluid or a flow");
-  if (high && *high <= low) f.error("high", "\"high\" must be above \"low\"");
 }
 
 void StreamlineParameters::ports(Ports& ports) const {
   if (of.empty()) return;
   ports.requireFrom<FluidWind>(of, {"of"});
   if (sheet) ports.want<FieldSource>(of, {"of"});
+  ports.provide<ColorScale>(!colors.empty(), " without \"colors\"");
 }
 
 }  // namespace simreel::sim

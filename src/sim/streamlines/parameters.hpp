@@ -1,7 +1,9 @@
 #pragma once
+#include "scene/own_colors.hpp"
 #include "scene/papered.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/flow/speed_range.hpp"
 
 #include <optional>
 #include <string>
@@ -12,7 +14,11 @@
 namespace simreel::sim {
 
 /// Parameters of the object kind "streamlines".
-struct StreamlineParameters : ObjectParameters, scene::HasFieldSkin {
+struct StreamlineParameters : ObjectParameters,
+                              HasColorRange,
+                              ShowsSpeedsOf,
+                              scene::HasFieldSkin,
+                              scene::HasOwnColors {
   std::string of;                    ///< name of the object whose flow is drawn
   std::optional<double> separation;  ///< distance between lines in metres; if empty, 1/56 of the longer
                                      ///< side
@@ -20,9 +26,7 @@ struct StreamlineParameters : ObjectParameters, scene::HasFieldSkin {
   std::optional<double> width;       ///< diameter of a line in metres; if empty, 0.3 separations
   std::optional<int> seed;           ///< seed for the positions of the line seeds; if empty, the scene's
                                      ///< seed
-  double low = 0;                    ///< speed of the first colour in m/s
-  std::optional<double> high;        ///< speed of the last colour in m/s; if empty, the maximum speed of
-                                     ///< the source
+  SpeedRange speeds;                 ///< speeds of the first and the last colour
   std::vector<glm::vec3> colors;     ///< linear RGB stops of the colour map; if empty, the lines have the
                                      ///< object's material
   std::optional<double> height;      ///< distance from the source's plane in metres; if empty, `width`
@@ -30,6 +34,11 @@ struct StreamlineParameters : ObjectParameters, scene::HasFieldSkin {
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
+  [[nodiscard]] const char* coloredBy() const override {
+    return colors.empty() ? nullptr : "its \"colors\"";
+  }
+  [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return speeds.measured(); }
+  [[nodiscard]] const std::string& source() const override { return of; }
   [[nodiscard]] std::string fieldShown(const std::string& /*object*/) const override {
     return sheet ? of : "";
   }

@@ -7,6 +7,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/flow/sheet.hpp"
 #include "sim/fluid/wind.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/streamlines/parameters.hpp"
 #include "sim/tubes/tubes.hpp"
 
@@ -94,7 +95,7 @@ struct NumberLines {
 };
 
 /// Streamlines of another object's flow. This object has no state.
-class Streamlines : public Simulation {
+class Streamlines : public Simulation, public HasShownSpeeds, public HasColorScale {
  public:
   Streamlines(const scene::Object& object, const Setting& setting)
       : name_(object.name),
@@ -145,6 +146,20 @@ class Streamlines : public Simulation {
       }
     return table;
   }
+  [[nodiscard]] ColorScale colorScale() const override { return {parameters_.colors, range_, false, {}}; }
+  /// Computes the lines once more with a range that no speed exceeds.
+  [[nodiscard]] std::vector<float> shownSpeeds() const override {
+    constexpr float whole = 1 << 20;  // m/s; a power of two, so that quotients are exact
+    trace(0, 1 / whole);
+    std::vector<float> shown;
+    const auto points = points_.buffer().readAll<glm::vec4>();
+    const auto spans = spans_.readAll<glm::ivec4>();
+    for (std::size_t line = 0; line < spans.size(); ++line)
+      for (int i = spans[line].x; spans[line].x < spans[line].y && i <= spans[line].y; ++i)
+        shown.push_back(whole * points[line * pointsPerLine + static_cast<std::size_t>(i)].w);
+    trace(range_.x, perRange_);
+    return shown;
+  }
   [[nodiscard]] std::optional<MeshTable> mesh() const override { return tubes_.table(); }
 
  private:
@@ -184,13 +199,21 @@ class Streamlines : public Simulation {
     toColumn_ = glm::vec4(2 / distance * right, -2 / distance * glm::dot(right, corner));
     toRow_ = glm::vec4(-2 / distance * up, 2 / distance * glm::dot(up, corner));
     const double fastest = static_cast<double>(wind_->speed() * plane.cell);
-    const double high = parameters_.high.value_or(std::max(fastest, parameters_.low + 1e-3));
-    perRange_ = static_cast<float>(1 / (high - parameters_.low));
+    const double high = parameters_.speeds.last(fastest);
+    range_ = glm::vec2(parameters_.speeds.low, high);
+    perRange_ = static_cast<float>(1 / (high - parameters_.speeds.low));
     still_ = static_cast<float>(1e-4 * std::max(fastest, 1e-6));
     fewest_ = std::max(2, static_cast<int>(2.5F * distance / stride_));
   }
 
   void update() {
+    trace(range_.x, perRange_);
+    tubes_.make(points_, tubeSpans_, {.radius = 0.5F * width_, .taperFirst = 8, .taperLast = 8});
+  }
+
+  /// Computes all lines with colours that begin at the speed `low` (m/s). `perRange`: 1 / (width of the
+  /// range of speeds), in s/m.
+  void trace(float low, float perRange) const {
     const LinePart part{.count = count_, .points = points_, .spans = spans_};
     gl::barrier();
     trace_.dispatch(count_, {.part = part,
@@ -203,8 +226,8 @@ class Streamlines : public Simulation {
                              .height = height_,
                              .stride = stride_,
                              .still = still_,
-                             .low = static_cast<float>(parameters_.low),
-                             .perRange = perRange_,
+                             .low = low,
+                             .perRange = perRange,
                              .wind = wind_->part()});
     clear_.dispatch(cells_.x * cells_.y, {.count = cells_.x * cells_.y, .claims = claims_});
     for (int round = 1; round <= rounds; ++round) {
@@ -222,7 +245,6 @@ class Streamlines : public Simulation {
                          .spans = spans_,
                          .tubeSpans = tubeSpans_,
                          .arguments = tubes_.arguments()});
-    tubes_.make(points_, tubeSpans_, {.radius = 0.5F * width_, .taperFirst = 8, .taperLast = 8});
   }
 
   std::string name_;
@@ -232,6 +254,7 @@ class Streamlines : public Simulation {
   const FluidWind* wind_;
   int seed_ = 1, columns_ = 1, count_ = 1, tubeCount_ = 1, fewest_ = 2;
   float stride_ = 0, width_ = 0, height_ = 0, still_ = 0, perRange_ = 1;
+  glm::vec2 range_{0, 1};  ///< speeds of the first and the last colour in m/s
   glm::vec3 first_{0}, across_{0}, down_{0}, normal_{0};
   glm::ivec2 cells_{1, 1};
   glm::vec4 toColumn_{0}, toRow_{0};

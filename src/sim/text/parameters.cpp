@@ -61,6 +61,8 @@ void TextParameters::describe(scene::Fields& f) {
   f.number("height", height, {1e-4, 1e4}, "m", "Height of capital letters.");
   f.number("depth", depth, {0, 1e4}, "m", "Thickness of the letters; 0: flat, seen from both sides.");
   f.vector("position", position, scene::anyNumber, "m", "Where its anchor is.");
+  f.leftOut("position", "[0,0,0]; in version 2 above the other objects");
+  placed = f.given("position");
   f.vector("rotation", rotation, scene::anyNumber, "degrees", "About x, then y, then z.");
   f.number("scale", scale, {1e-6, 1e6}, "", "Factor on its size.");
   f.optionalGroup("screen", onScreen,
@@ -81,6 +83,16 @@ void TextParameters::describe(scene::Fields& f) {
   } catch (const std::invalid_argument& mistake) {
     f.error("text", mistake.what());
   }
+}
+
+void TextParameters::standAbove(const scene::Box& others) {
+  if (onScreen || placed) return;
+  const std::optional<scene::Box> own = framed();
+  if (!own) return;
+  const glm::vec3 foot(0.5F * (own->min.x + own->max.x), own->min.y, 0.5F * (own->min.z + own->max.z));
+  const glm::vec3 top(0.5F * (others.min.x + others.max.x), others.max.y + 0.5F * height,
+                      0.5F * (others.min.z + others.max.z));
+  position = position.at(0) + top - foot;
 }
 
 void TextParameters::ports(Ports& ports) const {

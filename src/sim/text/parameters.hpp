@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/inked.hpp"
+#include "scene/set_apart.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/text/content.hpp"
@@ -30,7 +31,7 @@ struct ScreenText {
 };
 
 /// Parameters of the object kind "text".
-struct TextParameters : ObjectParameters, scene::HasInk {
+struct TextParameters : ObjectParameters, scene::HasInk, scene::SetApart {
   enum class Weight { regular, bold };
   std::string text = "simreel";
   std::filesystem::path font;  ///< font file; if empty, the bundled font
@@ -42,6 +43,7 @@ struct TextParameters : ObjectParameters, scene::HasInk {
   scene::Animated<glm::vec3> position = glm::vec3(0);  ///< position in metres
   scene::Animated<glm::vec3> rotation = glm::vec3(0);  ///< rotation in degrees
   scene::Animated<float> scale = 1.0F;
+  bool placed = false;  ///< true if the scene gives the position
   bool onScreen = false;
   ScreenText screen;  ///< for text over the picture; replaces height, depth, placement and material
 
@@ -52,6 +54,7 @@ struct TextParameters : ObjectParameters, scene::HasInk {
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   /// Sets the colour of the text. Does nothing for text in the world or on a dark panel.
   void ink(const glm::vec3& color) override;
+  void standAbove(const scene::Box& others) override;
   void ports(Ports& ports) const override;
 
   [[nodiscard]] std::filesystem::path fontFile() const;

@@ -52,31 +52,36 @@ void WaterParameters::describe(scene::Fields& f) {
   rainOnPond(f);
 }
 
+bool WaterParameters::staysPond(const scene::Fields& f) const {
+  if (f.given("level") || f.given("pools")) return false;
+  return f.version() > 1 ? !ownTerrain : !f.given("terrain");
+}
+
+WaterRain WaterParameters::pondRain(int version) const {
+  const float smaller = std::min(static_cast<float>(size.x), static_cast<float>(size.y)) * cell;
+  WaterRain all;
+  all.rate = 60;
+  all.radius = all.height = 0.017F * smaller;
+  if (version > 1) {
+    all.duration = 0.1;
+    all.variation = 0.6;
+  }
+  return all;
+}
+
 void WaterParameters::rainOnPond(scene::Fields& f) {
-  constexpr const char* flatKeys[] = {"level", "pools", "terrain"};
-  constexpr const char* wetKeys[] = {"rainfall", "drops", "rain", "strokes"};
   f.leftOut("rain",
             "rain on a round pond, if none of \"level\", \"pools\", \"terrain\", \"rainfall\", "
             "\"drops\" and \"strokes\" is given; else off. In version 2 a pond stays a pond with the last "
-            "three");
-  const auto given = [&](const char* name) { return f.given(name); };
-  const bool wetted = std::any_of(std::begin(wetKeys), std::end(wetKeys), given);
-  if (std::any_of(std::begin(flatKeys), std::end(flatKeys), given) || (wetted && f.version() == 1)) return;
+            "three, and with a \"terrain\" of colours alone");
+  const bool wetted = f.given("rainfall") || f.given("drops") || f.given("rain") || f.given("strokes");
+  if (!staysPond(f) || (wetted && f.version() == 1)) return;
   const glm::vec2 extent = glm::vec2(size) * cell;
   const float smaller = std::min(extent.x, extent.y);
   isPond = true;
-  if (!wetted) {
-    if (!rain) rain.emplace();
-    rain->rate = 60;
-    rain->radius = 0.017F * smaller;
-    rain->height = 0.017F * smaller;
-    if (f.version() > 1) {
-      rain->duration = 0.1;
-      rain->variation = 0.6;
-    }
-  }
+  if (!wetted) rain = pondRain(f.version());
   clarity = 0.045F * smaller;
-  ground = {0.17F, 0.165F, 0.07F};
+  if (!ownGround) ground = {0.17F, 0.165F, 0.07F};
   pondTerrain(extent, smaller);
 }
 
@@ -138,6 +143,9 @@ void WaterParameters::describeStart(scene::Fields& f) {
       if (!groundObject.empty() && t.given(name))
         t.error(name, "\"object\" gives the heights; leave one of the two out");
     if (!terrain.empty() && t.given("bed")) t.error("bed", "an image gives the heights; leave out \"bed\"");
+    for (const char* name : {"bed", "object", "image", "low", "high", "smooth", "hills"})
+      ownTerrain = ownTerrain || t.given(name);
+    ownGround = t.given("color");
     t.color("color", ground, scene::fraction, "Colour of the ground, linear RGB.");
     t.number("roughness", groundRoughness, scene::fraction, "",
              "Roughness of the ground; 0 mirrors, 1 is matt.");
@@ -210,6 +218,9 @@ void WaterParameters::describeFlow(scene::Fields& f) {
            d.number("from", drain.from, scene::anyNumber, "s", "Time at which it opens.");
            d.number("until", drain.until, scene::anyNumber, "s", "Time at which it closes.");
          });
+  // In version 2, the keys of a pond's rain are replaced one by one.
+  const bool otherwiseWet = f.given("rainfall") || f.given("drops") || f.given("strokes");
+  if (f.version() > 1 && f.given("rain") && staysPond(f) && !otherwiseWet) rain = pondRain(f.version());
   f.optionalGroup(
       "rain", rain, "Drops at random places, where there is water.", [](scene::Fields& r, WaterRain& of) {
         r.number("rate", of.rate, {1e-3, 1e4}, "1/s", "Drops on the whole grid.");
@@ -239,9 +250,13 @@ void WaterParameters::describeLook(scene::Fields& f) {
   f.number("grip", grip, {0, 1e6}, "1/s", "Rate at which sliding objects lose speed, if it collides.");
   if (!collides && f.given("grip")) f.error("grip", "\"grip\" is for water with \"collides\": true");
   f.boolean("visible", visible, "Draws water and ground.");
-  f.group("look", "The water's colours, instead of the material's.", [&](scene::Fields& l) {
+  f.group("look", "The water's colours.", [&](scene::Fields& l) {
     l.color("deep", deep, scene::fraction, "Colour of deep water, linear RGB.");
+    l.leftOut("deep", "the material's \"color\", else [0.003,0.022,0.024]");
+    ownDeep = l.given("deep");
     l.number("roughness", roughness, scene::fraction, "", "Roughness of its surface.");
+    l.leftOut("roughness", "the material's, else 0.04");
+    ownRoughness = l.given("roughness");
     l.color("shallow", shallow, scene::fraction,
             "Colour of the ground seen through thin water, linear RGB.");
     l.number("clarity", clarity, {1e-4, 1e4}, "m",

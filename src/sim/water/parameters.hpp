@@ -69,7 +69,7 @@ struct WaterSwell {
 };
 
 /// Scene parameters of shallow water over a terrain.
-struct WaterParameters : ObjectParameters, HasColorRange {
+struct WaterParameters : ObjectParameters, HasColorRange, scene::Covering {
   glm::ivec2 size{193, 193};  ///< Grid size in cells along x and z.
   float cell = 0.035F;        ///< Cell width in metres.
   glm::vec3 position{0};      ///< Position of the grid's centre at level 0, in metres.
@@ -77,6 +77,7 @@ struct WaterParameters : ObjectParameters, HasColorRange {
   std::vector<WaterPool> pools;
   float bed = -1;            ///< Height of the flat bed in metres.
   std::string groundObject;  ///< Object whose heights are the bed; empty if the bed does not move.
+  bool ownTerrain = false, ownGround = false;  ///< true if the scene gives the ground's shape, its colour
   std::filesystem::path terrain;
   float terrainLow = -1,
         terrainHigh = 0.5F;  ///< Heights in metres of black and white pixels in the terrain image.
@@ -103,7 +104,8 @@ struct WaterParameters : ObjectParameters, HasColorRange {
   bool collides = false;
   float grip = 2;  ///< Rate in 1/s at which colliding objects lose tangential velocity.
   bool visible = true;
-  glm::vec3 deep{0.003F, 0.022F, 0.024F};  ///< Colour of deep water, linear RGB.
+  bool ownDeep = false, ownRoughness = false;  ///< true if the scene gives the value in "look"
+  glm::vec3 deep{0.003F, 0.022F, 0.024F};      ///< Colour of deep water, linear RGB.
   float roughness = 0.04F;
   glm::vec3 shallow{0.1F, 0.105F, 0.05F};  ///< Colour of shallow water, linear RGB.
   float clarity = 0.15F;                   ///< Depth in metres over which light fades to 1/e.
@@ -117,6 +119,7 @@ struct WaterParameters : ObjectParameters, HasColorRange {
   WaterParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
+  [[nodiscard]] Extent covering() const override { return display.covering(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t minLargestBufferBytes() const override {
     return std::int64_t{16} * size.x * size.y;
@@ -129,6 +132,10 @@ struct WaterParameters : ObjectParameters, HasColorRange {
  private:
   /// Sets the defaults for a scene that gives no parameters of the water.
   void rainOnPond(scene::Fields& fields);
+  /// True if no key of the scene replaces the default pond by other water.
+  [[nodiscard]] bool staysPond(const scene::Fields& fields) const;
+  /// Returns the rain of a pond for a scene of this version.
+  [[nodiscard]] WaterRain pondRain(int version) const;
   void pondTerrain(glm::vec2 extent, float smaller);
   void describeStart(scene::Fields& fields);
   void describeFlow(scene::Fields& fields);

@@ -39,6 +39,14 @@ HeightPlan heightsOf(const WaterParameters& p, double frameSeconds) {
   return {plane, frameSeconds};
 }
 
+/// Returns the object's parameters with the colour and roughness of its material, unless "look" gives them.
+WaterParameters coloredLike(const scene::Object& object) {
+  WaterParameters p = parametersOf<WaterParameters>(object);
+  if (!p.ownDeep && object.materialKeys.contains("color")) p.deep = object.material.color;
+  if (!p.ownRoughness && object.materialKeys.contains("roughness")) p.roughness = object.material.roughness;
+  return p;
+}
+
 class Water : public Simulation, public Landform {
  public:
   Water(const scene::Object& object, const Setting& setting)
@@ -47,7 +55,7 @@ class Water : public Simulation, public Landform {
         levelName_(object.name + ".level"),
         material_(object.material),
         plan_((WaterKernels::checkLimits(object.name, parametersOf<WaterParameters>(object).size),
-               parametersOf<WaterParameters>(object)),
+               coloredLike(object)),
               object.name, setting.seed, setting.frameSeconds),
         size_(plan_.parameters().size),
         colors_(plan_.parameters().display.colors()),

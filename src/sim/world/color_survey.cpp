@@ -3,6 +3,7 @@
 #include "scene/value/value_writer.hpp"
 #include "sim/core/auto_range.hpp"
 #include "sim/core/drawable.hpp"
+#include "sim/flow/speed_range.hpp"
 #include "sim/grid/field_values.hpp"
 #include "sim/world/world.hpp"
 
@@ -19,6 +20,16 @@ namespace {
 std::vector<MeasuredRange> rangesOf(const scene::Object& object) {
   auto* colored = dynamic_cast<HasColorRange*>(object.parameters.get());
   return colored == nullptr ? std::vector<MeasuredRange>() : colored->measuredRanges();
+}
+
+/// True if the object shows the speeds of a flow that does not change, whose maximum is known before the
+/// run.
+bool showsStillFlow(const scene::Scene& scene, const scene::Object& object) {
+  const auto* shows = dynamic_cast<const ShowsSpeedsOf*>(object.parameters.get());
+  return shows != nullptr &&
+         std::any_of(scene.objects.begin(), scene.objects.end(), [&](const scene::Object& other) {
+           return other.name == shows->source() && other.kind == "flow";
+         });
 }
 
 void see(float value, SeenRange& range) {
@@ -99,7 +110,8 @@ void separate(const AutoEnds& ends, double& low, double& high) {
 std::vector<SeenRange> rangesToSee(scene::Scene& scene) {
   std::vector<SeenRange> all;
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    for (std::size_t k = 0; k < rangesOf(scene.objects[i]).size(); ++k) all.push_back({i, k});
+    if (!showsStillFlow(scene, scene.objects[i]))
+      for (std::size_t k = 0; k < rangesOf(scene.objects[i]).size(); ++k) all.push_back({i, k});
   return all;
 }
 
@@ -109,6 +121,10 @@ bool needsRanges(scene::Scene& scene) {
 
 void seeValues(const World& world, std::vector<SeenRange>& ranges) {
   for (SeenRange& range : ranges) {
+    if (const auto* shown = dynamic_cast<const HasShownSpeeds*>(&world.object(range.object))) {
+      for (const float speed : shown->shownSpeeds()) see(speed, range);
+      continue;
+    }
     Drawables drawables;
     world.object(range.object).publish(world.time(), drawables);
     const Field* field = shownField(drawables, world.objectName(range.object));

@@ -29,7 +29,9 @@ namespace {
 constexpr int maxLooks = 48;
 constexpr std::size_t maxPoints = 1 << 17;  // maximum number of points per object, summed over all sampled
                                             // frames
-constexpr double strayParticles = 0.01;
+constexpr double strayParticles = 0.01;     // fraction that is ignored in each sampled frame and direction
+constexpr double farParticles = 0.1;        // fraction of all samples up to which particles far from their
+                                            // start belong to the swarm
 
 const ParticleParameters* particlesOf(const scene::Object& object) {
   return dynamic_cast<const ParticleParameters*>(object.parameters.get());
@@ -132,14 +134,18 @@ bool isWithin(const scene::Box& room, const glm::vec3& at) {
 /// Object whose motion is sampled.
 struct SampledObject {
   std::size_t object = 0;
-  std::size_t place = 0;  ///< index of the object in Survey::framed
-  scene::Box near;        ///< region outside of which points are ignored
-  std::vector<glm::vec3> seen = {};
+  std::size_t place = 0;                 ///< index of the object in Survey::framed
+  scene::Box near;                       ///< region outside of which points are far
+  scene::Box wide;                       ///< region outside of which points are ignored
+  std::vector<glm::vec3> seen = {};      ///< outermost points in `near` of all sampled frames
+  std::vector<glm::vec3> seenWide = {};  ///< outermost points in `wide`
+  std::size_t samples = 0, far = 0;      ///< number of points in `wide`, and of those outside `near`
 };
 
-scene::Box roomAround(const scene::Box& box) {
+/// Returns the box enlarged on each side by `times` its size.
+scene::Box roomAround(const scene::Box& box, float times) {
   const glm::vec3 extent = box.max - box.min;
-  const float size = std::max({extent.x, extent.y, extent.z});
+  const float size = times * std::max({extent.x, extent.y, extent.z});
   return {box.min - size, box.max + size};
 }
 
@@ -149,32 +155,39 @@ bool standsOnOwnGround(const scene::Scene& scene) {
          scene.stage.leaves("ground.height");
 }
 
-/// Samples an object's current positions. From particles, takes an evenly spaced subset, because the
-/// outermost are discarded later. From other objects, takes the outermost points. Leaves out particles that
-/// the ground hides.
+/// Samples an object's current positions: the outermost points. Of particles, takes an evenly spaced subset
+/// and leaves out strays and particles that the ground hides.
 void look(const World& world, const scene::Scene& scene, std::size_t looks, SampledObject& traveller) {
   std::vector<glm::vec3> places = placesOf(world.object(traveller.object));
   const ParticleParameters* particles = particlesOf(scene.objects[traveller.object]);
   const bool hides = particles != nullptr && !particles->collides && standsOnOwnGround(scene);
   std::erase_if(places, [&](const glm::vec3& at) {
-    return !isWithin(traveller.near, at) || (hides && at.y < scene.ground->height);
+    return !isWithin(traveller.wide, at) || (hides && at.y < scene.ground->height);
   });
-  std::size_t stride = 1;
-  if (particles == nullptr)
-    places = scene::outermost(places);
-  else
-    stride += places.size() * looks / maxPoints;
-  for (std::size_t i = 0; i < places.size(); i += stride) traveller.seen.push_back(places[i]);
+  if (particles != nullptr) {
+    const std::size_t stride = 1 + places.size() * looks / maxPoints;
+    for (std::size_t i = 0; i * stride < places.size(); ++i) places[i] = places[i * stride];
+    places.resize((places.size() + stride - 1) / stride);
+  }
+  std::vector<glm::vec3> near = places;
+  std::erase_if(near, [&](const glm::vec3& at) { return !isWithin(traveller.near, at); });
+  traveller.samples += places.size();
+  traveller.far += places.size() - near.size();
+  const double stray = particles == nullptr ? 0 : strayParticles;
+  const float beyond = particles == nullptr ? 0 : 0.5F * particles->size;
+  for (const glm::vec3& at : scene::outermost(near, stray, beyond)) traveller.seen.push_back(at);
+  if (near.size() < places.size()) near = std::move(places);
+  for (const glm::vec3& at : scene::outermost(near, stray, beyond)) traveller.seenWide.push_back(at);
 }
 
 /// Replaces an object's extent by the extent of the sampled points. Keeps the extent given by the
 /// parameters if no sampled point was inside the region.
-void updateExtent(const SampledObject& traveller, const ParticleParameters* particles,
-                  scene::Framed& framed) {
-  if (traveller.seen.empty()) return;
-  framed.points = particles == nullptr
-                      ? scene::outermost(traveller.seen)
-                      : scene::outermost(traveller.seen, strayParticles, 0.5F * particles->size);
+void updateExtent(const SampledObject& traveller, scene::Framed& framed) {
+  const bool wide =
+      static_cast<double>(traveller.far) <= farParticles * static_cast<double>(traveller.samples);
+  const std::vector<glm::vec3>& seen = wide ? traveller.seenWide : traveller.seen;
+  if (seen.empty()) return;
+  framed.points = scene::outermost(seen);
   std::optional<scene::Box> box;
   for (const glm::vec3& point : framed.points) scene::include(box, point);
   framed.box = *box;
@@ -213,7 +226,11 @@ Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double maximu
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     std::optional<scene::Framed> one = scene::framedOf(scene.objects[i]);
     if (!one) continue;
-    if (goesItsWay(scene.objects[i])) travellers.push_back({i, survey.framed.size(), roomAround(one->box)});
+    if (goesItsWay(scene.objects[i])) {
+      // Pieces of cloth that leave their place fall for ever, so only particles count far from their start.
+      const float far = particlesOf(scene.objects[i]) != nullptr ? 2 : 1;
+      travellers.push_back({i, survey.framed.size(), roomAround(one->box, 1), roomAround(one->box, far)});
+    }
     survey.framed.push_back(std::move(*one));
   }
   survey.ranges = rangesToSee(scene);
@@ -238,8 +255,7 @@ Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double maximu
     if (watch) watch();
   }
   if (travellers.empty()) return survey;
-  for (const SampledObject& one : travellers)
-    updateExtent(one, particlesOf(scene.objects[one.object]), survey.framed[one.place]);
+  for (const SampledObject& one : travellers) updateExtent(one, survey.framed[one.place]);
   survey.frames = looks.back() + 1 - world.firstFrame();
   return survey;
 }

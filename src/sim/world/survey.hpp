@@ -32,10 +32,11 @@ using SurveyWatch = std::function<void()>;
 
 /// Simulates the whole scene once in exact mode, in a separate World on the current context, and samples
 /// cloth and particles in up to 48 evenly spaced frames. The result therefore depends only on the scene,
-/// not on the device or the requested frames. Ignores the outermost 1% of the particles in each direction,
-/// and points that have left the region given by the parameters by more than its size. If the work would
-/// exceed `maximum` (see maxSurveyWork), it samples no motion. Measures the "auto" colour ranges in all
-/// frames, regardless of the work. Throws the errors of World.
+/// not on the device or the requested frames. Ignores the outermost 1% of the particles of each frame in
+/// each direction, and points that have left the region given by the parameters by more than its size, or
+/// by more than twice its size if at most a tenth of the particles have left it by more than once its
+/// size. If the work would exceed `maximum` (see maxSurveyWork), it samples no motion. Measures the "auto"
+/// colour ranges in all frames, regardless of the work. Throws the errors of World.
 [[nodiscard]] Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch = {},
                                   double maximum = maxSurveyWork);
 

@@ -199,7 +199,7 @@ class DataPictures(Case):
         self.scene({**hill, "lines": {"isolines": {"of": "hill", "every": 1e-4}}})
         self.bad(2, 'raise "every"', *SHORT)
         self.scene({"hill": {"reaction": {**DISH, "display": {"layer": "none"}}}, "lines": {"isolines": {"of": "hill.u"}}})
-        self.bad(2, "is not displayed over the picture", *SHORT)
+        self.bad_scene("shows no field over the picture", *SHORT)
 
     def bar(self, bar, more=None, size=(400, 200), **scene):
         """Returns the first column of a bar, and the column after its last one."""

@@ -1,6 +1,7 @@
 """Checks pictures of velocities: flows of files and formulas, arrows, streamlines, and trails of particles."""
 import ast
 import math
+import re
 import struct
 
 from common import Case, main
@@ -58,6 +59,25 @@ class Vectors(Case):
                 self.assertAlmostEqual(value, right, 5)
         self.scene({"dust": dust, "a": {"arrows": {"of": "dust", "length": 2, "high": 4, "every": 3, "anchor": "middle"}}})
         self.assertEqual([round(row[0], 5) for row in self.baked("a")], [0, 3])
+
+    def high(self, objects):
+        """Returns the speed `high` that a first run measures for the object "a", or None without a first run."""
+        self.scene(objects)
+        found = re.search(r"objects\.a\.\w+\.high=([0-9.e+-]+)", self.good(*SHORT[:-1], "--overwrite").err)
+        return found and float(found[1])
+
+    def test_the_range_of_speeds_is_that_of_the_run(self):
+        self.write("p.csv", "x,y,z\n0,0,0\n1,0,0\n")
+        fall = {"particles": {"groups": [{"file": "p.csv"}], "method": "none", "acceleration": [0, -3, 0]}}
+        # Both particles fall from rest at 3 m/s^2 up to frame 29 of 30 frames per second.
+        self.assertAlmostEqual(self.high({"dust": fall, "a": {"arrows": {"of": "dust", "length": 2}}}), 2.9, delta=0.01)
+        smoke = {"fluid": {"size": [32, 18], "display": {"layer": "none"},
+                           "strokes": [{"until": 9, "from": [16, 9, 0], "radius": 4, "velocity": [20, 0, 0]}]}}
+        for kind in ("arrows", "streamlines"):
+            high = self.high({"smoke": smoke, "a": {kind: {"of": "smoke", "sheet": True}}})
+            self.assertGreater(high, 0.8)  # 20 cells/s are 1 m/s.
+            self.assertLess(high, 2)
+        self.assertIsNone(self.high({"w": {"flow": {"u": "y", "v": "-x"}}, "a": {"arrows": {"of": "w"}}}))
 
     def test_streamlines_of_a_rotation_are_circles(self):
         self.scene({"w": {"flow": {"u": "-y", "v": "x", "size": [40, 40], "plane": {"cell": 0.05, "rotation": [90, 0, 0]}}},
@@ -174,7 +194,7 @@ class Vectors(Case):
         self.bad(2, ['particles "a": 20000 trails of 31 points are 620000, more than the 262144', '"every": 3'], *SHORT)
         smoke = {"fluid": {"size": [16, 9]}}
         self.scene({"smoke": smoke, "a": {"arrows": {"of": "smoke"}}})
-        self.assertIn('"smoke" is drawn over the whole picture and hides them', self.good(*SHORT[:-1]).err)
+        self.assertIn('"smoke" is drawn over the whole picture and hides them', self.good(*SHORT[:-1], "--overwrite").err)
 
     def test_mistakes_in_files_of_flows(self):
         for name, content, words in (

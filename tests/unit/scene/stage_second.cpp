@@ -2,8 +2,11 @@
 #include "scene/framing.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
+#include "sim/life/parameters.hpp"
 #include "sim/text/parameters.hpp"
+#include "sim/water/parameters.hpp"
 #include "sim/world/list.hpp"
+#include "sim/world/port_check.hpp"
 #include "source_folder.hpp"
 
 #include <algorithm>
@@ -175,6 +178,116 @@ TEST_CASE("stage: one warning says that a field over the whole picture hides wha
   CHECK(said(R"({"layer": "behind"})", "{}").empty());
   CHECK(said(R"({"extent": [0.5, 1, 0]})", "{}").empty());
   CHECK(said(R"({"opacity": 0.5})", "{}").empty());
+}
+
+TEST_CASE("stage: a field behind all objects takes the place of the floor") {
+  const std::string behind =
+      R"({"a": {"grayScott": {"display": {"layer": "behind"}}}, "m": {"sphere": {}}})";
+  const std::string none = R"({"a": {"grayScott": {"display": {"layer": "none"}}}, "m": {"sphere": {}}})";
+  CHECK(parsed(none).ground);
+  const scene::Scene scene = parsed(behind);
+  CHECK(scene.staged);
+  CHECK_FALSE(scene.ground);
+  CHECK(scene.remarks.empty());
+  const std::vector<std::string> said = parsed(behind, R"("ground": {}, )").remarks;
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].find("the ground hides the picture of \"a\"") != std::string::npos);
+  CHECK(parsed(behind, R"("ground": {"visible": false}, )").remarks.empty());
+}
+
+TEST_CASE("stage: text without a position stands above the other objects, one above the other") {
+  const std::string two = R"({"m": {"sphere": {"radius": 2}}, "t": {"text": {}}, "u": {"text": {}}})";
+  const auto boxOf = [](const scene::Scene& scene, std::size_t i) {
+    return *scene.objects[i].parameters->framed();
+  };
+  const scene::Scene scene = parsed(two);
+  CHECK(boxOf(scene, 1).min.y > 2);
+  CHECK(boxOf(scene, 2).min.y > boxOf(scene, 1).max.y);
+  CHECK(boxOf(parsed(two, "", 1), 1).min.y < 1);
+  CHECK(boxOf(parsed(R"({"m": {"sphere": {}}, "t": {"text": {"position": [0, 0, 0]}}})"), 1).min.y < 0.1F);
+  CHECK(boxOf(parsed(R"({"t": {"text": {}}})"), 0).min.y < 0.1F);
+}
+
+TEST_CASE("stage: a camera on an orbit that does not turn is as near as its angle allows") {
+  const std::string bar = R"({"m": {"box": {"size": [8, 0.5, 0.5]}}})";
+  const auto distance = [&](const char* turn) {
+    return parsed(bar, fmt::format(R"("camera": {{"orbit": {{"turn": {}}}}}, )", turn))
+        .camera.orbit->distance.at(0);
+  };
+  const float whole = distance(R"({"keys": [[0, 0], [4, 360]]})");
+  CHECK(distance("90") < 0.6F * whole);
+  CHECK(distance(R"({"keys": [[0, 80], [4, 100]]})") < 0.8F * whole);
+}
+
+TEST_CASE("life: a size leaves the trail of version 2 as it is") {
+  const auto trail = [](const char* life, int version = 2) {
+    const scene::Scene scene = parsed(fmt::format(R"({{"l": {{"life": {{{}}}}}}})", life), "", version);
+    return dynamic_cast<const sim::LifeParameters&>(*scene.objects[0].parameters).trail;
+  };
+  CHECK(trail("") == 24);
+  CHECK(trail(R"("size": [80, 60])") == 24);
+  CHECK(trail(R"("size": [80, 60], "trail": 0)") == 0);
+  CHECK(trail(R"("size": [2048, 2048])") == 0);
+  CHECK(trail(R"("size": [80, 60])", 1) == 0);
+}
+
+TEST_CASE("water: a key of the rain or a colour of the ground leaves the rest of the pond as it is") {
+  const auto water = [](const char* members) {
+    const scene::Scene scene = parsed(fmt::format(R"({{"w": {{"water": {{{}}}}}}})", members));
+    return dynamic_cast<const sim::WaterParameters&>(*scene.objects[0].parameters);
+  };
+  const sim::WaterParameters pond = water(""), rate = water(R"("rain": {"rate": 5})");
+  CHECK(rate.rain->rate == 5);
+  CHECK(rate.rain->radius == pond.rain->radius);
+  CHECK(rate.rain->duration == pond.rain->duration);
+  const sim::WaterParameters red = water(R"("terrain": {"color": [1, 0, 0]})");
+  CHECK(red.ground == glm::vec3(1, 0, 0));
+  CHECK(red.hills.size() == pond.hills.size());
+  CHECK(red.rain->rate == pond.rain->rate);
+  CHECK(water(R"("terrain": {"bed": -1})").hills.empty());
+  CHECK_FALSE(water(R"("terrain": {"bed": -1})").rain);
+}
+
+TEST_CASE("skins of fields with states show their colours unless the scene gives a look") {
+  const auto look = [](const char* kind, const char* more = "") {
+    return parsed(fmt::format(R"({{"a": {{"{}": {{}}}}, "m": {{"sphere": {{}}, "material": {{"skin":
+                                  {{"field": "a"{}}}}}}}}})",
+                              kind, more))
+        .objects[1]
+        .material.skin->look;
+  };
+  CHECK(look("life") == scene::Skin::Look::map);
+  CHECK(look("life", R"(, "look": "spots")") == scene::Skin::Look::spots);
+  CHECK(look("life", R"(, "low": [1, 0, 0])") == scene::Skin::Look::leather);
+  CHECK(look("grayScott") == scene::Skin::Look::leather);
+}
+
+TEST_CASE("a material's colour works, or one line says what has its place") {
+  const auto said = [](const std::string& object) { return parsed(R"({"a": )" + object + "}").remarks; };
+  const std::vector<std::string> terrain = said(
+      R"({"contour": {"image": "textures/gingham.png"}, "material": {"color": "red", "metallic": 1}})");
+  REQUIRE(terrain.size() == 1);
+  CHECK(terrain[0].find("the colours of its \"map\"; here \"color\"") != std::string::npos);
+  CHECK(said(R"({"cave": {}, "material": {"color": "red"}})").size() == 1);
+  CHECK(said(R"({"cave": {}, "material": {"texture": "textures/gingham.png"}})").empty());
+  const std::string swarm = R"({"particles": {"groups": [{}], "look": {"colorBy": )";
+  CHECK(said(swarm + R"("speed"}}, "material": {"color": "red"}})").size() == 1);
+  CHECK(said(swarm + R"("material"}}, "material": {"color": "red"}})").empty());
+  CHECK(said(R"({"water": {}, "material": {"color": "red"}})").empty());
+}
+
+TEST_CASE("one line says that a colour bar explains a field which nothing shows") {
+  const auto said = [](const char* layer, const char* more = "") {
+    return sim::portRemarks(parsed(fmt::format(R"({{"a": {{"grayScott": {{"display": {{"layer": "{}"}}}}}},
+                                                   "bar": {{"colorBar": {{"of": "a"}}}}{}}})",
+                                               layer, more)));
+  };
+  CHECK(said("over").empty());
+  const std::vector<std::string> hidden = said("none");
+  REQUIRE(hidden.size() == 1);
+  CHECK(hidden[0].find("colorBar \"bar\"") != std::string::npos);
+  CHECK(said("none", R"(, "m": {"sphere": {}, "material": {"skin": {"field": "a"}}})").empty());
+  CHECK(said("none", R"(, "c": {"contour": {"field": "a"}})").empty());
 }
 
 }  // namespace simreel::test::stage_second

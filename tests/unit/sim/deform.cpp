@@ -211,8 +211,26 @@ TEST_CASE("duplicate vertices at a seam share a normal; without usable faces the
   CHECK(cpu.normals()[6] == glm::vec4(0, 1, 0, 0));
 }
 
+TEST_CASE("sway: what a scene leaves out follows from the size of the mesh") {
+  sim::Sway sway;
+  sway.fitted = {true, true, true, true};
+  const sim::Sway large = sway.onMesh(-20, 80), small = sway.onMesh(0, 0.1F);
+  CHECK(large.base == -20);
+  CHECK(large.height == 100);
+  CHECK(large.amplitude == doctest::Approx(20));
+  CHECK(large.wavelength == 300);
+  CHECK(small.amplitude == doctest::Approx(0.02));
+  sway.base = 30;
+  sway.fitted = {true, false, true, false};
+  CHECK(sway.onMesh(-20, 80).height == 50);
+  CHECK(sway.onMesh(-20, 80).wavelength == sim::Sway().wavelength);
+  CHECK(sway.onMesh(0, 10).height == sim::Sway().height);  // The mesh lies below the base.
+}
+
 TEST_CASE("an invalid deformation is reported") {
-  CHECK(test::has(deformFailure(R"("deform": [{}])"), "entry 0 names 0 displacements"));
+  CHECK(test::has(
+      deformFailure(R"("deform": [{}])"),
+      "entry 0 names 0 displacements; it must name exactly one of \"ripple\", \"waves\", \"sway\""));
   CHECK(test::has(deformFailure(R"("deform": [{"ripple": {}, "push": {}}])"),
                   "entry 0 names 2 displacements"));
   CHECK(test::has(deformFailure(R"("deform": [{"footprints": {}}, {"footprints": {}}])"), "one trail"));

@@ -159,6 +159,9 @@ TEST_CASE("isolines take their values from a field or from a terrain") {
   CHECK(mistake("").find("lines of which values?") != std::string::npos);
   CHECK(mistake(R"("of": "sea", "terrain": "sea")").find("leave out one of both") != std::string::npos);
   CHECK(mistake(R"("terrain": "ball")").find("has no surface for lines") != std::string::npos);
+  // Water has a field, but shows it only with another "layer".
+  CHECK(mistake(R"("of": "sea")").find("scene.json:1:") != std::string::npos);
+  CHECK(mistake(R"("of": "sea")").find("shows no field over the picture") != std::string::npos);
   CHECK(mistake(R"("terrain": "sea", "scale": 0)").find("the same value") != std::string::npos);
 }
 

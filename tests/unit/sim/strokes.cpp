@@ -259,3 +259,17 @@ TEST_CASE("an image stroke stamps its light pixels at its position") {
   p.image = "/nowhere/none.png";
   CHECK_THROWS_AS(Strokes({p}, 1, bounded), UserError);
 }
+
+TEST_CASE("a stroke that begins with the run acts before its time, at the place of its start") {
+  auto p = stroke(StrokeShape::circle, {10, 20, 0}, {30, 20, 0}, 3);
+  p.until = 2;
+  CHECK(Strokes({p}, 1, bounded).into(-1, 0.1, -10).empty());
+  p.early = true;
+  const Strokes strokes({p}, 1, bounded);
+  const auto before = strokes.into(-1, 0.1, -10);
+  REQUIRE(before.size() == 1);
+  CHECK(before[0].from == glm::vec2(10, 20));
+  CHECK(before[0].to == glm::vec2(10, 20));
+  CHECK(strokes.into(1, 0.1, 10)[0].to == glm::vec2(20, 20));
+  CHECK(strokes.into(3, 0.1, 30).empty());
+}
