@@ -215,8 +215,8 @@ TEST_CASE("sequence: skipping lists existing frames that declare this run") {
   CHECK(renderInto(folder.string(), Existing::skip, 3).empty());
   CHECK(text(folder / "manifest.json") == manifest);
   // Existing::skip keeps a picture that lacks the metadata of a run (frame 0), but does not list it in the
-  // manifest. A later Existing::resume therefore draws that frame again. Existing::skip draws damaged and
-  // empty pictures again (frames 1 and 2).
+  // manifest. A later Existing::resume refuses to replace it. Existing::skip draws damaged and empty
+  // pictures again (frames 1 and 2).
   std::filesystem::remove(folder / "manifest.json");
   writeFileAtomically(folder / "000000.png", encodePng(picture(32, 18), {}));
   std::filesystem::resize_file(folder / "000001.png", 100);
@@ -227,6 +227,11 @@ TEST_CASE("sequence: skipping lists existing frames that declare this run") {
   const Manifest after = parseManifest(text(folder / "manifest.json"), "manifest");
   CHECK(after.frames.size() == 4);
   CHECK(after.frames.at(4).state == "state4");
+  const auto [refusal, reason] = errorOf([&] { renderInto(folder.string(), Existing::resume, 5); });
+  CHECK(refusal == ExitCode::usage);
+  CHECK(contains(reason, "000000.png is no picture of simreel"));
+  CHECK(text(folder / "000000.png") == foreign);
+  std::filesystem::remove(folder / "000000.png");
   CHECK(renderInto(folder.string(), Existing::resume, 5) == std::vector{0});
   std::filesystem::remove(folder / "000002.png");
   std::filesystem::create_directory(folder / "000002.png");

@@ -87,8 +87,9 @@ TEST_CASE("rules are written in Golly's notation") {
 TEST_CASE("every preset is a valid rule") {
   for (const RulePreset& preset : rulePresets()) {
     CAPTURE(preset.name);
-    CHECK(written(preset.rule).find(": ") == std::string::npos);
-    CHECK(written(preset.name) == written(preset.rule));
+    const std::string rule = written(preset.rule);
+    CHECK(rule.find(": ") == std::string::npos);
+    CHECK(written(preset.name) == rule);
   }
 }
 

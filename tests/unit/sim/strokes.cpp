@@ -117,13 +117,14 @@ TEST_CASE("a stroke on a torus continues at the opposite border") {
     const Strokes strokes({p}, 1, {c.size, true, "field"});
     const auto images = strokes.into(0, 0.1, 0);
     CHECK(images.size() <= 60);
-    // number of images in each direction, enough to include the nearest one
-    const int around = 2 + static_cast<int>((600 + c.radius) / std::min(c.size.x, c.size.y));
+    // number of images along each axis, enough to include the nearest one
+    const glm::ivec2 around(2 + static_cast<int>((600 + c.radius) / c.size.x),
+                            2 + static_cast<int>((600 + c.radius) / c.size.y));
     for (int y = 0; y < c.size.y; ++y)
       for (int x = 0; x < c.size.x; ++x) {
         double nearest = 1e9;
-        for (int j = -around; j <= around; ++j)
-          for (int i = -around; i <= around; ++i)
+        for (int j = -around.y; j <= around.y; ++j)
+          for (int i = -around.x; i <= around.x; ++i)
             nearest = std::min(nearest, distance({x + i * c.size.x, y + j * c.size.y}, c.from, c.to));
         if (std::abs(nearest - c.radius) < 1e-3) continue;
         bool painted = false;
