@@ -4,6 +4,7 @@
 #include "scene/json/words.hpp"
 #include "scene/kind_hint.hpp"
 #include "scene/papered.hpp"
+#include "scene/sections.hpp"
 #include "scene/value/reader.hpp"
 #include "scene/value/value_reader.hpp"
 
