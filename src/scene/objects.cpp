@@ -5,6 +5,7 @@
 #include "scene/kind_hint.hpp"
 #include "scene/own_colors.hpp"
 #include "scene/papered.hpp"
+#include "scene/sections.hpp"
 #include "scene/value/reader.hpp"
 #include "scene/value/value_reader.hpp"
 
