@@ -172,7 +172,7 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
       // The following parameters have no effect with a mesh, or with a friction coefficient.
       "cloth.size", "cloth.spacing", "capsule.grip", "sphere.grip", "cone.grip", "cone.distanceCells",
       "cylinder.grip", "cylinder.distanceCells", "box.grip", "box.distanceCells", "torus.grip",
-      "torus.distanceCells",
+      "torus.distanceCells", "body.grip",
       // The following parameters have no effect on a text on the screen.
       "text.depth", "text.height", "text.position", "text.rotation", "text.scale",
       // The following parameters have no effect if a mesh replaces the grid.
