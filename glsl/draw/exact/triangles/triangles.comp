@@ -2,7 +2,7 @@
 // ones from its end (medium.comp), large ones from its start (large.comp). BINS: unclipped triangles are listed by tile
 // (bins.glsl) instead of rasterized; in shadow maps, very small ones are rasterized anyway. SAMPLES, PASS, SUN_MAP,
 // LAMP_MAP: as in draw/exact/visible_sample.glsl. COUNTED: the GPU has written the number of triangles to the draw
-// arguments. BALLOT: as in draw/exact/list_place.glsl.
+// arguments. CUTOUT, LAYER: as in draw/exact/triangles/raster_triangle.glsl. BALLOT: as in draw/exact/list_place.glsl.
 #include "draw/exact/triangles/raster.glsl"
 #include "draw/exact/triangles/fill_box.glsl"
 #ifdef BINS
@@ -74,6 +74,9 @@ void drawOrList(int number) {
     return;
   }
 #if !defined BINS || defined LAMP_MAP || defined SUN_MAP
+#ifdef CUTOUT
+  cutTriangle(corners, placeOf(a), placeOf(b), placeOf(c));
+#endif
   fillBox(t, firstId + uint(number));
 #endif
 }

@@ -98,7 +98,8 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
     const Drawn& drawn = entries_[i];
     if (clips && drawn.fans == drawn.maxTriangles) continue;
     const sim::Surface* const own = into_ == Into::lampMap ? fragments_.only : drawn.surface;
-    const bool cuts = step == Step::large && own != nullptr && fragments_.cut && fragments_.cut(*own);
+    const bool draws = step == Step::small || step == Step::large;  // others prepare, or have no fragments
+    const bool cuts = draws && own != nullptr && fragments_.cut && fragments_.cut(*own);
     // These kernels are not compiled in advance: they take long to compile, and few plain triangles are
     // large or cross the near plane.
     if (gl::Rehearsal::now() && step != Step::small && !cuts && !fragments_.layers) continue;
@@ -111,7 +112,7 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
       kind.grid = own->normals == nullptr;
       triangles.cutout = fragments_.holes(*own);
     }
-    if (fragments_.layers && step == Step::large) {
+    if (fragments_.layers && draws) {
       const Visibility& before = fragments_.before != nullptr ? *fragments_.before : *fragments_.behind;
       kind.layer = true;
       triangles.firstLayer = fragments_.before == nullptr;

@@ -101,9 +101,11 @@ class TriangleRaster {
     const Visibility* before = nullptr;
     const Visibility* behind = nullptr;  ///< opaque surfaces; layers behind them are not drawn
   };
-  /// Returns a rasterizer for surfaces with Fragments. It tests each sample separately, and workgroups
-  /// rasterize all triangles.
-  static TriangleRaster ofFragments(Into into, int samples) { return {into, samples, 0, 0, 0, 0}; }
+  /// Returns a rasterizer for surfaces with Fragments. It tests each sample separately. Workgroups
+  /// rasterize all triangles that are not small.
+  static TriangleRaster ofFragments(Into into, int samples) {
+    return {into, samples, smallTriangle(), 0, 0, 0};
+  }
   void tellFragments(Fragments fragments) { fragments_ = std::move(fragments); }
 
   /// Assigns consecutive ids to the triangles, starting at `firstId`; see drawn(). Throws UserError(device)
