@@ -1,6 +1,8 @@
 #include "scene/framing.hpp"
 
 #include "base/ieee.hpp"
+#include "scene/drawn_on.hpp"
+#include "scene/framed_in_part.hpp"
 #include "scene/outline.hpp"
 #include "scene/panels.hpp"
 #include "scene/set_apart.hpp"
@@ -134,6 +136,27 @@ void reach(Camera& camera, float distance, float nearest, bool staged) {
   camera.far = std::max(camera.far, (staged ? 12.0F : 4.0F) * distance);
 }
 
+/// Returns the box of the rectangle on which an object is drawn. Returns nullopt if the source requests its
+/// own box.
+std::optional<Box> boxOfSource(const DrawnOn& drawn, std::span<const Object> all) {
+  const auto source = std::find_if(all.begin(), all.end(),
+                                   [&](const Object& object) { return object.name == drawn.source(); });
+  if (source == all.end() || !source->parameters || source->parameters->framed()) return std::nullopt;
+  return source->parameters->framedAlone();
+}
+
+std::optional<Box> boxOf(const Object& object, std::span<const Object> all) {
+  if (!object.parameters) return std::nullopt;
+  const auto* drawn = dynamic_cast<const DrawnOn*>(object.parameters.get());
+  if (drawn != nullptr && drawn->framesSource()) return boxOfSource(*drawn, all);
+  const auto* inPart = dynamic_cast<const FramedInPart*>(object.parameters.get());
+  const std::optional<Box> whole = inPart == nullptr ? std::nullopt : inPart->framedWhole();
+  const auto isOther = [&](const Object& other) {
+    return &other != &object && other.parameters && other.parameters->framed();
+  };
+  return whole && std::any_of(all.begin(), all.end(), isOther) ? whole : object.parameters->framed();
+}
+
 /// Returns the point at which the scene aims the camera. This is the scene's target, or the centre of the
 /// extent that the tracked object has over its whole motion. Returns nullopt if the scene gives neither a
 /// target nor a tracked object.
@@ -143,7 +166,7 @@ std::optional<glm::vec3> aimPoint(const Scene& scene) {
   if (!camera.track) return std::nullopt;
   for (const Object& object : scene.objects)
     if (object.name == camera.track->object)
-      if (const std::optional<Framed> one = framedOf(object))
+      if (const std::optional<Framed> one = framedOf(object, scene.objects))
         return 0.5F * (one->box.min + one->box.max) + camera.track->offset;
   return std::nullopt;
 }
@@ -197,8 +220,8 @@ void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
 
 }  // namespace
 
-std::optional<Framed> framedOf(const Object& object) {
-  const std::optional<Box> box = object.parameters ? object.parameters->framed() : std::nullopt;
+std::optional<Framed> framedOf(const Object& object, std::span<const Object> all) {
+  const std::optional<Box> box = boxOf(object, all);
   if (!box) return std::nullopt;
   Framed framed{*box};
   if (const auto* outlined = dynamic_cast<const Outlined*>(object.parameters.get()))
@@ -209,7 +232,7 @@ std::optional<Framed> framedOf(const Object& object) {
 std::vector<Framed> framedObjects(const Scene& scene) {
   std::vector<Framed> framed;
   for (const Object& object : scene.objects)
-    if (std::optional<Framed> one = framedOf(object)) framed.push_back(std::move(*one));
+    if (std::optional<Framed> one = framedOf(object, scene.objects)) framed.push_back(std::move(*one));
   if (!framed.empty()) return framed;
   for (const Object& object : scene.objects)
     if (object.parameters)
@@ -223,11 +246,11 @@ void setApart(Scene& scene) {
   std::vector<Framed> others;
   for (const Object& object : scene.objects)
     if (apart(object) == nullptr)
-      if (std::optional<Framed> one = framedOf(object)) others.push_back(std::move(*one));
+      if (std::optional<Framed> one = framedOf(object, scene.objects)) others.push_back(std::move(*one));
   for (const Object& object : scene.objects)
     if (SetApart* const text = apart(object); text != nullptr && !others.empty()) {
       text->standAbove(boxAround(others));
-      if (std::optional<Framed> one = framedOf(object)) others.push_back(std::move(*one));
+      if (std::optional<Framed> one = framedOf(object, scene.objects)) others.push_back(std::move(*one));
     }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include "scene/scene.hpp"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace simreel::scene {
@@ -11,8 +13,9 @@ struct Framed {
   std::vector<glm::vec3> points = {};  ///< outermost points in metres; if empty, `box` is used
 };
 
-/// Returns the extent to show, or nullopt if the object's parameters define no extent (Parameters::framed).
-[[nodiscard]] std::optional<Framed> framedOf(const Object& object);
+/// Returns the extent to show, or nullopt if the object's parameters define no extent (Parameters::framed,
+/// DrawnOn, FramedInPart). `all`: all objects of the scene.
+[[nodiscard]] std::optional<Framed> framedOf(const Object& object, std::span<const Object> all);
 /// Returns the extents of all objects that have one.
 [[nodiscard]] std::vector<Framed> framedObjects(const Scene& scene);
 /// Returns the smallest box around all extents. `framed` must not be empty.

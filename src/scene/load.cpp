@@ -184,6 +184,14 @@ void noteSurroundings(const Node& root, Stage& stage) {
   }
 }
 
+/// Leaves out the tone curve, so that a field behind all objects has the colours of its colour bar, which
+/// is drawn over the finished picture. Does nothing if the scene gives the curve.
+void keepBarColors(const Node& root, Scene& scene) {
+  const Node* render = root.find("render");
+  if (render != nullptr && render->find("tone") != nullptr) return;
+  if (explainsBehind(root, scene)) scene.render.tone = Tone::plain;
+}
+
 /// Reads a scene from its JSON tree. `heldToLength`: true if test frames after the scene's end are errors.
 void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool heldToLength, Scene& scene) {
   if (!ValueReader("", context.diagnostics).expect(root, Node::Kind::object, "a scene in { }")) return;
@@ -220,6 +228,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     // needed.
     std::vector<Framed> framed;
     if (*version > 1) setApart(scene);
+    if (*version > 1) keepBarColors(root, scene);
     if (staged || !scene.camera.placed) framed = framedObjects(scene);
     if (staged) setStage(scene, framed, *version);
     if (const std::string advice = stageAdvice(scene); !advice.empty())

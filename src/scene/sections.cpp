@@ -169,6 +169,7 @@ void Render::describe(Fields& fields) {
       "tone", tone, {"aces", "agx", "filmic", "plain"},
       "Tone curve from light to the picture. aces: high contrast; agx: bright colours fade softly to "
       "white; filmic: a gentle shoulder; plain: no curve, light above white is cut off.");
+  fields.leftOut("tone", "aces; in version 2 plain if a colorBar explains a field behind all objects");
   fields.optionalValue("whiteBalance", whiteBalance, Animated<float>(6504.0F),
                        [&](Animated<float>& kelvin) {
                          fields.number("whiteBalance", kelvin, blackBodyRange, "K",

@@ -133,10 +133,14 @@ bool isBelowGround(const Scene& scene) {
   return eye < scene.ground->height;
 }
 
-/// Gives a landscape the sky of daylight and the other objects its palette. Sun, lights and camera stay.
+/// Gives a landscape the sky of daylight and the other objects its palette, and puts the scene's ground
+/// below everything. Sun, lights and camera stay.
 void openStage(Scene& scene) {
   const StageLook look = stageLook(Stage::Preset::daylight, false);
   const Stage& stage = scene.stage;
+  if (scene.ground && stage.leaves("ground.height"))
+    if (const std::optional<float> height = stageGroundHeight(scene); height && std::isfinite(*height))
+      scene.ground->height = *height;
   if (scene.sky.picture.empty()) {
     if (stage.leaves("sky.horizon")) scene.sky.horizon = look.horizon;
     if (stage.leaves("sky.ground")) scene.sky.ground = look.horizon;

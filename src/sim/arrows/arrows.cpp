@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -92,7 +91,6 @@ class Arrows : public Simulation, public HasShownSpeeds, public HasColorScale {
       : name_(object.name),
         parameters_(parametersOf<ArrowParameters>(object)),
         material_(object.material),
-        links_(setting.links),
         wind_(setting.find<FluidWind>(parameters_.of)),
         points_(wind_ != nullptr ? nullptr : setting.find<MovingPoints>(parameters_.of)),
         ofGrid_(gl::kernelDefines(setting.fast)),
@@ -115,8 +113,6 @@ class Arrows : public Simulation, public HasShownSpeeds, public HasColorScale {
   void resumed(double /*time*/) override { update(); }
 
   void publish(double time, Drawables& drawables) const override {
-    if (!std::exchange(looked_, true) && wind_ != nullptr)
-      warnIfCovered(*links_, "arrows", name_, parameters_.of);
     static_cast<void>(time);
     if (sheet_) drawables.surfaces.push_back(sheet_->surface());
     drawables.instances.push_back(instances());
@@ -237,7 +233,6 @@ class Arrows : public Simulation, public HasShownSpeeds, public HasColorScale {
   std::string name_;
   ArrowParameters parameters_;
   scene::Material material_;
-  const Links* links_;
   const FluidWind* wind_;       ///< source of the velocities, if it is a field
   const MovingPoints* points_;  ///< source of the velocities, if it consists of points
   std::int64_t count_ = 0;
@@ -251,7 +246,6 @@ class Arrows : public Simulation, public HasShownSpeeds, public HasColorScale {
                           ///< range, or -1 if there is no arrow
   gl::Vec4Array turns_;   ///< xyz: unit vector along the arrow
   std::optional<FieldSheet> sheet_;
-  mutable bool looked_ = false;
 };
 
 }  // namespace

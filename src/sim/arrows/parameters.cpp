@@ -49,6 +49,7 @@ void ArrowParameters::describe(scene::Fields& f) {
                    "Distance of the arrows in front of the source's rectangle.");
   f.leftOut("height", "0.15 times \"length\"");
   f.boolean("sheet", sheet, "Draws the source's rectangle behind the arrows, in the colours of its field.");
+  frames = f.version() > 1;
   if (of.empty()) f.error("of", "whose velocities? Give \"of\", the name of a fluid, a flow or particles");
 }
 

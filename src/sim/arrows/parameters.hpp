@@ -41,6 +41,7 @@ struct ArrowParameters : ObjectParameters,
                                   ///< on a grid and the tail at points
   std::optional<double> height;   ///< distance from the source's plane in metres; if empty, 0.15 times
                                   ///< `length`
+  bool frames = false;            ///< true since version 2: a camera shows the source's rectangle
   bool sheet = false;             ///< true to draw the source's field below the arrows
 
   void describe(scene::Fields& fields) override;
@@ -50,6 +51,7 @@ struct ArrowParameters : ObjectParameters,
   }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return speeds.measured(); }
   [[nodiscard]] const std::string& source() const override { return of; }
+  [[nodiscard]] bool framesSource() const override { return frames; }
   [[nodiscard]] std::string fieldShown(const std::string& /*object*/) const override {
     return sheet ? of : "";
   }

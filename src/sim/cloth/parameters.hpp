@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/dressed.hpp"
+#include "scene/own_colors.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/cloth/coloring.hpp"
 #include "sim/cloth/fabric.hpp"
@@ -78,6 +79,7 @@ struct Seam {
 struct ClothParameters : ObjectParameters,
                          HasColorRange,
                          scene::HasFinish,
+                         scene::HasOwnColors,
                          TouchesMeshes,
                          shader::ClothConstants {
   std::optional<ClothMesh> mesh;  ///< triangle mesh; empty if the cloth is a grid
@@ -113,6 +115,9 @@ struct ClothParameters : ObjectParameters,
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   void ports(Ports& ports) const override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return coloring.measuredRanges(); }
+  [[nodiscard]] const char* coloredBy() const override {
+    return coloring.used() ? "its \"colorBy\"" : nullptr;
+  }
   [[nodiscard]] double touchMargin() const override {
     return margin + (fabric ? 0.5F * fabric->constants().thickness : 0);
   }

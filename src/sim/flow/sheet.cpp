@@ -1,6 +1,5 @@
 #include "sim/flow/sheet.hpp"
 
-#include "base/log.hpp"
 #include "sim/core/collider.hpp"
 #include "sim/core/simulation.hpp"
 #include "sim/grid/field_display.hpp"
@@ -36,23 +35,6 @@ Surface FieldSheet::surface() const {
   surface.doubleSided = true;
   surface.material = &material_;
   return surface;
-}
-
-void warnIfCovered(const Links& links, const char* kind, const std::string& name, const std::string& of) {
-  Drawables drawables;
-  const Simulation* owner = links.simulation(of);
-  if (owner != nullptr) owner->publish(links.now(), drawables);
-  for (const Field& field : drawables.fields) {
-    const FieldDisplay* display = field.display;
-    if (display == nullptr || display->layer != FieldDisplay::Layer::over) continue;
-    if (display->extent.x < 0.99F || display->extent.y < 0.99F) continue;
-    warn(
-        "{} \"{}\": \"{}\" is drawn over the whole picture and hides them; give it \"display\": "
-        "{{\"layer\": "
-        "\"none\"}}, and \"{}\" \"sheet\": true, which draws it in the world",
-        kind, name, of, name);
-    return;
-  }
 }
 
 }  // namespace simreel::sim

@@ -26,8 +26,4 @@ class FieldSheet {
   MeshBuffers buffers_;
 };
 
-/// Warns if the field `of` is drawn over the whole picture, which hides everything in the world. `kind` and
-/// `name` denote the object that is hidden.
-void warnIfCovered(const Links& links, const char* kind, const std::string& name, const std::string& of);
-
 }  // namespace simreel::sim

@@ -1,9 +1,9 @@
 #pragma once
+#include "scene/drawn_on.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/auto_range.hpp"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace simreel::sim {
@@ -23,12 +23,7 @@ struct SpeedRange {
 };
 
 /// Parameters of objects that show the velocities of another object.
-class ShowsSpeedsOf {
- public:
-  virtual ~ShowsSpeedsOf() = default;
-  /// Returns the name of the object whose velocities are shown.
-  [[nodiscard]] virtual const std::string& source() const = 0;
-};
+class ShowsSpeedsOf : public scene::DrawnOn {};
 
 /// Simulations whose shown speeds a first run measures.
 class HasShownSpeeds {

@@ -135,12 +135,8 @@ class Fluid : public Simulation {
       text += fmt::format(
           "max|div u| is {:.2g} of max|u| after a projection, above {:.0e}; use more \"cycles\" than {}",
           report.worstShare, maxFluidDivergence, plan_.parameters().cycles);
-    if (report.worstSpeed > plan_.parameters().speed)
-      text += fmt::format(
-          "{}the flow reaches {:.4g} cells/s, above \"speed\" {:.4g} ({:.2g} cells per substep), so dye "
-          "lags behind; raise \"speed\"",
-          text.empty() ? "" : "; ", report.worstSpeed, plan_.parameters().speed,
-          static_cast<double>(report.worstSpeed) * plan_.stepAt(0, 0).dt);
+    if (report.worstSpeed > plan_.fastest())
+      text += (text.empty() ? "" : "; ") + plan_.speedRemark(report.worstSpeed);
     return fmt::format("fluid \"{}\": by frame {} {}", name_, frame, text);
   }
   [[nodiscard]] std::vector<double> measure() const override {

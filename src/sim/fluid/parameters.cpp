@@ -121,6 +121,7 @@ void FluidParameters::describe(scene::Fields& f) {
   f.number(
       "speed", speed, {1e-3, 1e6}, "cells/s",
       "Greatest speed that is expected; it determines the \"auto\" substeps and limits the speed of dye.");
+  ownSpeed = f.given("speed");
   f.integerOr("substeps", substeps, "auto", {1, 10000}, "per frame",
               "Steps that a frame is divided into; \"auto\": as many as \"speed\" / \"courant\" and the "
               "viscosity need.");

@@ -72,6 +72,7 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering, scene
   glm::ivec2 size{320, 180};  ///< Grid size in cells.
   FluidSide left, right, top, bottom;
   float speed = 450;            ///< Expected maximum flow speed in cells/s.
+  bool ownSpeed = false;        ///< true if the scene gives the speed
   std::optional<int> substeps;  ///< Substeps per frame; if empty, chosen from speed and viscosity.
   float courant = 2.5F;         ///< Distance in cells that fluid with the speed `speed` moves in a substep.
   Advection advection = Advection::macCormack;

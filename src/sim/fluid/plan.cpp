@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace simreel::sim {
 
 namespace {
@@ -84,6 +86,21 @@ FluidPlan::FluidPlan(FluidParameters parameters, const std::string& object, int 
          object, dt * viscosity, maxDiffusion, byFriction);
   const double passes = std::ceil(p.speed * dt / shader::maxDyeWay - 1e-9);
   dyePasses_ = p.dyes() ? static_cast<int>(std::clamp(passes, 1.0, 10000.0)) : 0;
+}
+
+float FluidPlan::fastest() const {
+  return parameters_.ownSpeed ? parameters_.speed : 1.1F * parameters_.speed;
+}
+
+std::string FluidPlan::speedRemark(float reached) const {
+  // The advice is 10% more than the flow reached, rounded up to two digits.
+  const double wanted = 1.1 * static_cast<double>(reached);
+  const double digit = std::pow(10.0, std::floor(std::log10(wanted)) - 1);
+  return fmt::format(
+      "the flow reaches {:.4g} cells/s, above \"speed\" {:.4g} ({:.2g} cells per substep), so dye lags "
+      "behind; give objects.{}.fluid.speed {:g}",
+      reached, parameters_.speed, static_cast<double>(reached) * frameSeconds_ / substeps_, object_,
+      digit * std::ceil(wanted / digit - 1e-9));
 }
 
 const std::shared_ptr<const FluidSolids>& FluidPlan::stillSolids() const {

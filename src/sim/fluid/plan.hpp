@@ -33,6 +33,11 @@ class FluidPlan {
   /// Returns the number of cells, including the ring around the grid.
   [[nodiscard]] int elements() const { return (size().x + 2) * (size().y + 2); }
   [[nodiscard]] int substeps() const { return substeps_; }
+  /// Returns the speed in cells/s above which the flow is too fast: the expected speed, or 10% more if the
+  /// scene leaves it out, because dye that lags by less than that is not visible.
+  [[nodiscard]] float fastest() const;
+  /// Returns a warning for a flow that reaches a speed (cells/s) above fastest().
+  [[nodiscard]] std::string speedRemark(float reached) const;
   /// Returns the number of dye advection passes per substep; 0 if no stroke sets dye.
   [[nodiscard]] int dyePasses() const { return dyePasses_; }
   /// Returns the multigrid hierarchy, with the face weights of the initial state.

@@ -54,7 +54,7 @@ FluidPressure::FluidPressure(const std::string& name, const FluidPlan& plan, con
       decide_(defines),
       judge_(defines, {.judge = true}),
       firstCoarse_(levels_.levels().size() - 1),
-      maxSpeed_(plan.parameters().speed),
+      maxSpeed_(plan.fastest()),
       firstDown_(firstCoarse_),
       firstUp_(firstCoarse_),
       tilesStart_(plan.solidsAt(0, 0)->tilesStart()) {

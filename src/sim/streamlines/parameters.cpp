@@ -25,6 +25,7 @@ void StreamlineParameters::describe(scene::Fields& f) {
                    "Distance of the lines in front of the source's rectangle.");
   f.leftOut("height", "\"width\"");
   f.boolean("sheet", sheet, "Draws the source's rectangle behind the lines, in the colours of its field.");
+  frames = f.version() > 1;
   if (of.empty()) f.error("of", "whose flow? Give \"of\", the name of a fluid or a flow");
 }
 

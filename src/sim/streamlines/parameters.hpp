@@ -30,6 +30,7 @@ struct StreamlineParameters : ObjectParameters,
   std::vector<glm::vec3> colors;     ///< linear RGB stops of the colour map; if empty, the lines have the
                                      ///< object's material
   std::optional<double> height;      ///< distance from the source's plane in metres; if empty, `width`
+  bool frames = false;               ///< true since version 2: a camera shows the source's rectangle
   bool sheet = false;                ///< true to draw the source's field behind the lines
 
   void describe(scene::Fields& fields) override;
@@ -39,6 +40,7 @@ struct StreamlineParameters : ObjectParameters,
   }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return speeds.measured(); }
   [[nodiscard]] const std::string& source() const override { return of; }
+  [[nodiscard]] bool framesSource() const override { return frames; }
   [[nodiscard]] std::string fieldShown(const std::string& /*object*/) const override {
     return sheet ? of : "";
   }

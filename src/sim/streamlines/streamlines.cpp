@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -101,7 +100,6 @@ class Streamlines : public Simulation, public HasShownSpeeds, public HasColorSca
       : name_(object.name),
         parameters_(parametersOf<StreamlineParameters>(object)),
         material_(object.material),
-        links_(setting.links),
         wind_(setting.wanted<FluidWind>(parameters_.of)),
         trace_(gl::kernelDefines(setting.fast)),
         clear_(gl::kernelDefines(setting.fast)),
@@ -130,7 +128,6 @@ class Streamlines : public Simulation, public HasShownSpeeds, public HasColorSca
   void resumed(double /*time*/) override { update(); }
 
   void publish(double /*time*/, Drawables& drawables) const override {
-    if (!std::exchange(looked_, true)) warnIfCovered(*links_, "streamlines", name_, parameters_.of);
     if (sheet_) drawables.surfaces.push_back(sheet_->surface());
     drawables.surfaces.push_back(tubes_.surface(material_));
   }
@@ -250,7 +247,6 @@ class Streamlines : public Simulation, public HasShownSpeeds, public HasColorSca
   std::string name_;
   StreamlineParameters parameters_;
   scene::Material material_;
-  const Links* links_;
   const FluidWind* wind_;
   int seed_ = 1, columns_ = 1, count_ = 1, tubeCount_ = 1, fewest_ = 2;
   float stride_ = 0, width_ = 0, height_ = 0, still_ = 0, perRange_ = 1;
@@ -270,7 +266,6 @@ class Streamlines : public Simulation, public HasShownSpeeds, public HasColorSca
   gl::Kernel<TrimLines> trim_;
   gl::Kernel<NumberLines> number_;
   std::optional<FieldSheet> sheet_;
-  mutable bool looked_ = false;
 };
 
 }  // namespace

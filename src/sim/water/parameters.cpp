@@ -49,6 +49,7 @@ void WaterParameters::describe(scene::Fields& f) {
       },
       64);
   describeLook(f);
+  restsOnGround = f.version() > 1;
   rainOnPond(f);
 }
 
@@ -279,6 +280,28 @@ std::optional<scene::Box> WaterParameters::framed() const {
   const bool dry = !terrain.empty() && level < std::min(terrainLow, terrainHigh);
   const glm::vec3 middle = position + glm::vec3(0, dry ? 0.5F * (terrainLow + terrainHigh) : level, 0);
   return scene::Box{middle - reach, middle + reach};
+}
+
+std::optional<scene::Box> WaterParameters::framedWhole() const {
+  if (!visible || !isPond || !restsOnGround) return std::nullopt;
+  const glm::vec3 half = 0.5F * cell * glm::vec3(size.x, 0, size.y);
+  float top = bed;
+  for (const WaterHill& hill : hills) top = std::max(top, bed + hill.height);
+  const scene::Box flat{position - half, position + half};
+  return scene::Box{flat.min + glm::vec3(0, lowestGround(), 0), flat.max + glm::vec3(0, top, 0)};
+}
+
+float WaterParameters::lowestGround() const {
+  float lowest = terrain.empty() ? bed : std::min(terrainLow, terrainHigh);
+  for (const WaterHill& hill : hills) lowest += std::min(hill.height, 0.0F);
+  return lowest;
+}
+
+std::optional<float> WaterParameters::supportHeight() const {
+  if (!visible || !restsOnGround || !groundObject.empty()) return std::nullopt;
+  // The small distance keeps a flat bed in front of the ground.
+  const float apart = 2e-3F * cell * static_cast<float>(std::max(size.x, size.y));
+  return position.y + lowestGround() - apart;
 }
 
 bool WaterParameters::isTorus() const {

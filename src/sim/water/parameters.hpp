@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/framed_in_part.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
@@ -69,7 +70,7 @@ struct WaterSwell {
 };
 
 /// Scene parameters of shallow water over a terrain.
-struct WaterParameters : ObjectParameters, HasColorRange, scene::Covering {
+struct WaterParameters : ObjectParameters, HasColorRange, scene::Covering, scene::FramedInPart {
   glm::ivec2 size{193, 193};  ///< Grid size in cells along x and z.
   float cell = 0.035F;        ///< Cell width in metres.
   glm::vec3 position{0};      ///< Position of the grid's centre at level 0, in metres.
@@ -99,6 +100,7 @@ struct WaterParameters : ObjectParameters, HasColorRange, scene::Covering {
   std::optional<WaterRain> rain;
   bool isPond = false;  ///< True if the scene gives no parameters of the water, so that the default pond is
                         ///< used.
+  bool restsOnGround = false;  ///< true since version 2: a ground without a height is below the terrain
   std::vector<StrokeParameters> strokes;
   std::vector<WaterFloat> floats;
   bool collides = false;
@@ -126,12 +128,16 @@ struct WaterParameters : ObjectParameters, HasColorRange, scene::Covering {
   }
   [[nodiscard]] std::span<const scene::Quantity> quantities() const override;
   [[nodiscard]] std::optional<scene::Box> framed() const override;
+  [[nodiscard]] std::optional<scene::Box> framedWhole() const override;
+  [[nodiscard]] std::optional<float> supportHeight() const override;
   [[nodiscard]] Looks looks() const override { return Looks::landscape; }
   [[nodiscard]] bool isTorus() const;
 
  private:
   /// Sets the defaults for a scene that gives no parameters of the water.
   void rainOnPond(scene::Fields& fields);
+  /// Returns a height in metres above `position` that no part of the terrain is below.
+  [[nodiscard]] float lowestGround() const;
   /// True if no key of the scene replaces the default pond by other water.
   [[nodiscard]] bool staysPond(const scene::Fields& fields) const;
   /// Returns the rain of a pond for a scene of this version.

@@ -1,9 +1,7 @@
 #include "sim/world/port_check.hpp"
 
-#include "scene/covering.hpp"
 #include "scene/json/words.hpp"
 #include "sim/core/kind.hpp"
-#include "sim/ports/color_scale.hpp"
 #include "sim/ports/field_source.hpp"
 #include "sim/ports/markers.hpp"
 #include "sim/world/step_order.hpp"
@@ -123,37 +121,6 @@ void checkOffers(Objects objects, const scene::Report& report) {
     }
 }
 
-/// Returns true if the scene shows no field of the object: neither over the picture nor in a skin, nor
-/// through another object than a colour bar.
-bool showsNothing(const scene::Object& provider, Objects objects) {
-  const auto* covering = dynamic_cast<const scene::Covering*>(provider.parameters.get());
-  if (covering == nullptr || covering->covering() != scene::Covering::Extent::none) return false;
-  if (provider.parameters->framed()) return false;
-  return std::none_of(objects.begin(), objects.end(), [&](const scene::Object& object) {
-    const auto& skin = object.material.skin;
-    if (skin && PartName(skin->field).object == provider.name) return true;
-    const Ports ports = portsOf(object);
-    return std::any_of(ports.wants.begin(), ports.wants.end(), [&](const Ports::Want& want) {
-      return want.port != &ColorScale::port && PartName(want.name).object == provider.name;
-    });
-  });
-}
-
-/// Appends a remark for each colour bar that explains a field which the scene does not show.
-void remarkBars(Objects objects, std::vector<std::string>& remarks) {
-  for (const scene::Object& bar : objects)
-    for (const Ports::Want& want : portsOf(bar).wants) {
-      if (want.port != &ColorScale::port) continue;
-      const scene::Object* provider = named(objects, PartName(want.name).object);
-      if (provider == nullptr || !showsNothing(*provider, objects)) continue;
-      remarks.push_back(
-          fmt::format("{} \"{}\" explains the colours of \"{}\", whose \"layer\" is \"none\", so nothing "
-                      "has them; leave "
-                      "it out, or give \"{}\" \"display\": {{\"layer\": \"over\"}}",
-                      bar.kind, bar.name, provider->name, provider->name));
-    }
-}
-
 /// Appends an error message, after its JSON path, if a name to which the scene itself refers is invalid.
 template <class Port>
 void checkNamed(const char* where, const std::string& name, Objects objects,
@@ -218,7 +185,6 @@ std::vector<std::string> portRemarks(const scene::Scene& scene) {
         remarks.push_back(
             fmt::format(fmt::runtime(offer.port->skippedProviderText), wanter->name, provider.name));
     }
-  remarkBars(scene.objects, remarks);
   return remarks;
 }
 

@@ -224,7 +224,7 @@ Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double maximu
   Survey survey;
   std::vector<SampledObject> travellers;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    std::optional<scene::Framed> one = scene::framedOf(scene.objects[i]);
+    std::optional<scene::Framed> one = scene::framedOf(scene.objects[i], scene.objects);
     if (!one) continue;
     if (goesItsWay(scene.objects[i])) {
       // Pieces of cloth that leave their place fall for ever, so only particles count far from their start.

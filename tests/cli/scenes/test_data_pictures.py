@@ -115,7 +115,7 @@ class DataPictures(Case):
         self.scene({"sheet": {"cloth": {"size": [5, 5], "colorBy": "strain", "colorFrom": 1, "colorTo": 1}}})
         self.bad_scene("colorFrom and colorTo must differ", *SHORT)
         self.scene({"sheet": {"cloth": {"size": [5, 5], "colorBy": "strain"}, "material": {"color": "red"}}})
-        self.assertIn('"colorBy" replaces the "color" of its material', self.good(*SHORT, "--size", "32x18").err)
+        self.assertIn('has the colours of its "colorBy"; here "color" of the material does nothing', self.good(*SHORT, "--size", "32x18").err)
 
     def test_the_jobs_of_a_sweep_share_one_range(self):
         self.scene({"dish": {"reaction": {"size": [20, 10], "parameters": {"a": 1}, "steps": 0,

@@ -194,7 +194,7 @@ class Vectors(Case):
         self.bad(2, ['particles "a": 20000 trails of 31 points are 620000, more than the 262144', '"every": 3'], *SHORT)
         smoke = {"fluid": {"size": [16, 9]}}
         self.scene({"smoke": smoke, "a": {"arrows": {"of": "smoke"}}})
-        self.assertIn('"smoke" is drawn over the whole picture and hides them', self.good(*SHORT[:-1], "--overwrite").err)
+        self.assertIn('"smoke" is drawn over the whole picture and hides "a"', self.good(*SHORT[:-1], "--overwrite").err)
 
     def test_mistakes_in_files_of_flows(self):
         for name, content, words in (

@@ -6,11 +6,11 @@
 #include "sim/text/parameters.hpp"
 #include "sim/water/parameters.hpp"
 #include "sim/world/list.hpp"
-#include "sim/world/port_check.hpp"
 #include "source_folder.hpp"
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -279,16 +279,92 @@ TEST_CASE("a material's colour works, or one line says what has its place") {
 
 TEST_CASE("one line says that a colour bar explains a field which nothing shows") {
   const auto said = [](const char* layer, const char* more = "") {
-    return sim::portRemarks(parsed(fmt::format(R"({{"a": {{"grayScott": {{"display": {{"layer": "{}"}}}}}},
-                                                   "bar": {{"colorBar": {{"of": "a"}}}}{}}})",
-                                               layer, more)));
+    return parsed(fmt::format(R"({{"a": {{"grayScott": {{"display": {{"layer": "{}"}}}}}},
+                                   "bar": {{"colorBar": {{"of": "a"}}}}{}}})",
+                              layer, more))
+        .remarks;
   };
   CHECK(said("over").empty());
   const std::vector<std::string> hidden = said("none");
   REQUIRE(hidden.size() == 1);
+  CHECK(hidden[0].find("x.json:2:") != std::string::npos);
   CHECK(hidden[0].find("colorBar \"bar\"") != std::string::npos);
   CHECK(said("none", R"(, "m": {"sphere": {}, "material": {"skin": {"field": "a"}}})").empty());
   CHECK(said("none", R"(, "c": {"contour": {"field": "a"}})").empty());
+}
+
+TEST_CASE("one line at the layer says that a scene of fields draws none") {
+  const auto said = [](const std::string& kind, const char* more = "") {
+    return parsed(fmt::format(R"({{"a": {{"{}": {{"display": {{"layer": "none"}}}}}}{}}})", kind, more))
+        .remarks;
+  };
+  for (const char* kind : {"lenia", "life", "grayScott", "epidemic", "wildfire", "fluid"}) {
+    CAPTURE(kind);
+    const std::vector<std::string> empty = said(kind);
+    REQUIRE(empty.size() == 1);
+    CHECK(empty[0].find("x.json:1:") != std::string::npos);
+    CHECK(empty[0].find("nothing is drawn: the layer of \"a\" is \"none\"") != std::string::npos);
+  }
+  CHECK(said("lenia", R"(, "m": {"sphere": {}, "material": {"skin": {"field": "a"}}})").empty());
+  CHECK(said("fluid", R"(, "m": {"arrows": {"of": "a"}})").empty());
+  CHECK(said("lenia", R"(, "b": {"life": {}})").empty());
+}
+
+TEST_CASE("one line at the arrows says that the picture of their fluid hides them") {
+  const auto said = [](const char* display) {
+    return parsed(
+               fmt::format(R"({{"a": {{"fluid": {{"display": {}}}}}, "m": {{"arrows": {{"of": "a"}}}}}})",
+                           display))
+        .remarks;
+  };
+  const std::vector<std::string> hidden = said("{}");
+  REQUIRE(hidden.size() == 1);
+  CHECK(hidden[0].find("x.json:1:") != std::string::npos);
+  CHECK(hidden[0].find("and hides \"m\"; give it \"display\"") != std::string::npos);
+  CHECK(said(R"({"layer": "none"})").empty());
+  CHECK(said(R"({"extent": [0.5, 1, 0]})").empty());
+}
+
+TEST_CASE("a field behind all objects keeps the colours of its colour bar, unless the scene has a tone") {
+  const std::string field = R"({"a": {"life": {"display": {"layer": "behind"}}})";
+  const std::string bar = R"(, "c": {"colorBar": {"of": "a"}}})";
+  CHECK(parsed(field + bar).render.tone == scene::Tone::plain);
+  CHECK(parsed(field + bar, R"("render": {"tone": "agx"}, )").render.tone == scene::Tone::agx);
+  CHECK(parsed(field + bar, "", 1).render.tone == scene::Tone::aces);
+  CHECK(parsed(field + "}").render.tone == scene::Tone::aces);
+}
+
+TEST_CASE("the camera shows the rectangle of a fluid on which arrows are drawn, beside other objects") {
+  const std::string ball = R"(, "b": {"sphere": {"position": [0, 9, 0]}}})";
+  const auto box = [&](const std::string& objects, int version = 2) {
+    return scene::boxAround(scene::framedObjects(parsed(objects + ball, "", version)));
+  };
+  for (const char* source :
+       {R"("fluid": {"size": [320, 180], "display": {"layer": "none"}})", R"("flow": {"show": "none"})"})
+    for (const char* kind : {"arrows", "streamlines"}) {
+      const std::string objects =
+          fmt::format(R"({{"a": {{{}}}, "m": {{"{}": {{"of": "a", "sheet": true}}}})", source, kind);
+      CAPTURE(objects);
+      const scene::Box whole = box(objects);
+      CHECK(whole.min.y < 8);
+      CHECK(whole.max.x - whole.min.x > 2.5F);
+      CHECK(box(objects, 1).min.y == 8);
+    }
+}
+
+TEST_CASE("the camera shows the whole pond beside other objects, and the ground is below it") {
+  const std::string beside = R"({"w": {"water": {}}, "b": {"sphere": {"position": [0, 3, 0]}}})";
+  const auto box = [](const scene::Scene& scene) { return scene::boxAround(scene::framedObjects(scene)); };
+  const scene::Scene scene = parsed(beside, R"("ground": {}, )");
+  const float half = 0.5F * 193 * 0.035F;
+  CHECK(box(scene).min.x == doctest::Approx(-half));
+  CHECK(box(scene).max.z == doctest::Approx(half));
+  CHECK(scene.ground->height == doctest::Approx(-0.122F * 2 * half));
+  CHECK(scene.ground->height < box(scene).min.y);
+  CHECK(box(parsed(R"({"w": {"water": {}}})")).max.x < 0.2F * 2 * half);
+  CHECK(box(parsed(beside, "", 1)).max.x < 0.2F * 2 * half);
+  CHECK(parsed(beside, R"("ground": {"height": -3}, )").ground->height == -3);
+  CHECK(parsed(beside, R"("ground": {}, )", 1).ground->height == -5);
 }
 
 }  // namespace simreel::test::stage_second

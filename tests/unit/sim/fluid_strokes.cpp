@@ -92,3 +92,14 @@ TEST_CASE("a fluid's chart: a force chart without obstacles, or with an inverted
   test::checkHas(refusedFluid(R"("chart": {"low": 2, "high": 1}, "obstacles": [{"radius": 9}])"),
                  "is not above");
 }
+
+TEST_CASE(
+    "a fluid that flows faster than expected gets a speed to give; a default speed has 10% more room") {
+  sim::FluidParameters p;
+  CHECK(sim::FluidPlan(p, "bath", 1, 1.0 / 60).fastest() == doctest::Approx(495));
+  p.ownSpeed = true;
+  const sim::FluidPlan plan(p, "bath", 1, 1.0 / 60);
+  CHECK(plan.fastest() == 450);
+  test::checkHas(plan.speedRemark(465), "reaches 465 cells/s, above \"speed\" 450 (2.6 cells per substep)");
+  test::checkHas(plan.speedRemark(465), "give objects.bath.fluid.speed 520");
+}
