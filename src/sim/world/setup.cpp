@@ -24,10 +24,10 @@ namespace {
 /// Maximum texture side that every OpenGL 4.5 device supports.
 constexpr int maxTextureSide = 16384;
 
-/// Returns true if an earlier problem has the same text as the last one.
+/// Returns true if an earlier problem ends with the text of the last one.
 bool isReported(const std::vector<UserError>& problems) {
   return std::any_of(problems.begin(), problems.end() - 1, [&](const UserError& problem) {
-    return std::string(problem.what()) == problems.back().what();
+    return std::string(problem.what()).ends_with(problems.back().what());
   });
 }
 
@@ -77,6 +77,17 @@ double startOf(const scene::Scene& scene) {
   return -prerollOf(scene) / scene.time.fps;
 }
 
+void namingObject(const scene::Object& object, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const UserError& error) {
+    const bool named =
+        std::string(error.what()).find(fmt::format("\"{}\"", object.name)) != std::string::npos;
+    if (named || error.code() != ExitCode::usage || error.form() == UserError::Form::report) throw;
+    fail(error.code(), "objects.{}.{}: {}", object.name, object.kind, error.what());
+  }
+}
+
 std::vector<UserError> findProblems(const scene::Scene& scene) {
   Bones bones(scene);
   std::vector<ColliderShape> colliders;
@@ -101,7 +112,8 @@ std::vector<UserError> findProblems(const scene::Scene& scene) {
   };
   for (const std::string& mistake : portMistakes(scene)) problems.emplace_back(ExitCode::usage, mistake);
   for (const scene::Object& object : scene.objects) {
-    if (const auto& check = simulationNamed(object.kind).check) attempt([&] { check(object, setting); });
+    if (const auto& check = simulationNamed(object.kind).check)
+      attempt([&] { namingObject(object, [&] { check(object, setting); }); });
     checkPictures(object.material, scene.render.rasterizer == scene::Rasterizer::exact, attempt);
   }
   if (const auto& sky = scene.sky.picture; !sky.empty())

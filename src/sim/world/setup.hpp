@@ -3,6 +3,7 @@
 #include "sim/body/bones.hpp"
 #include "sim/core/collider.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace simreel::sim {
@@ -17,5 +18,8 @@ namespace simreel::sim {
 
 /// Returns the time of the first simulated frame in seconds (Setting::startTime).
 [[nodiscard]] double startOf(const scene::Scene& scene);
+
+/// Runs `work` for an object. A usage error that does not name the object gets the object's path in front.
+void namingObject(const scene::Object& object, const std::function<void()>& work);
 
 }  // namespace simreel::sim

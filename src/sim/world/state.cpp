@@ -139,25 +139,12 @@ void World::State::makeMeshes(const scene::Scene& scene) {
   links.provide(meshes.get());
 }
 
-namespace {
-
-/// Makes an object's simulation. An error that does not name the object gets the object's path in front.
-std::unique_ptr<Simulation> madeFrom(const scene::Object& object, const Setting& setting) {
-  try {
-    return simulationNamed(object.kind).make(object, setting);
-  } catch (const UserError& error) {
-    const bool named =
-        std::string(error.what()).find(fmt::format("\"{}\"", object.name)) != std::string::npos;
-    if (named || error.code() != ExitCode::usage || error.form() == UserError::Form::report) throw;
-    fail(error.code(), "objects.{}.{}: {}", object.name, object.kind, error.what());
-  }
-}
-
-}  // namespace
-
 void World::State::makeObjects(const scene::Scene& scene, Setting& setting) {
   for (const StepNode& node : links.order()) {
-    for (const std::size_t i : node.objects) links.made(i, madeFrom(scene.objects[i], setting));
+    for (const std::size_t i : node.objects) {
+      const scene::Object& object = scene.objects[i];
+      namingObject(object, [&] { links.made(i, simulationNamed(object.kind).make(object, setting)); });
+    }
     groups.push_back(node.group == nullptr ? nullptr : makeGroup(scene, node, setting));
   }
 }
