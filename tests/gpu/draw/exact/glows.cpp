@@ -184,7 +184,8 @@ TEST_CASE("a glow smaller than a pixel has the light of its area at any place, a
   const double pixels = 0.5;
   for (int step = 0; step < 16; ++step) {
     CAPTURE(step);
-    const glm::vec2 place(20 + 0.25F * static_cast<float>(step % 4), 18 + 0.25F * static_cast<float>(step / 4));
+    const glm::vec2 steps(step % 4, step / 4);
+    const glm::vec2 place = glm::vec2(20, 18) + 0.25F * steps;
     const glm::vec3 ray =
         glm::vec3(v.ray) + glm::vec3(v.rayAcross) * place.x + glm::vec3(v.rayDown) * place.y;
     InstanceStage glow({glm::vec4(glm::vec3(v.eye) + static_cast<float>(depth) * ray, 1)},
@@ -196,7 +197,8 @@ TEST_CASE("a glow smaller than a pixel has the light of its area at any place, a
     double sum = 0;
     for (const glm::vec4& light : found) sum += static_cast<double>(light.r);
     // The integral of (1 - (distance / radius)^2)^2 over a disc is a third of the disc's area.
-    const double whole = std::numbers::pi / 3 * pixels * pixels * static_cast<double>(glow.material.color.r);
+    const double whole =
+        std::numbers::pi / 3 * pixels * pixels * static_cast<double>(glow.material.color.r);
     CHECK(sum == doctest::Approx(whole).epsilon(0.05));
     if (step > 0) continue;
     const auto at = [&](int x, int y) { return found[static_cast<std::size_t>(y * 41 + x)].r; };
