@@ -26,9 +26,9 @@ struct BoundsOfInstances {
 
 namespace {
 
-/// Smaller glows would flicker when they move from pixel to pixel. Smaller balls would be missed if they
-/// lie between samples.
-constexpr float minGlow = 1.25F;  // min radius of glows in pixels
+/// Smaller glows would look like squares of 2x2 pixels, and their light would differ by more than 5% from
+/// place to place within a pixel. Smaller balls would be missed if they lie between samples.
+constexpr float minGlow = 1.75F;  // min radius of glows in pixels
 constexpr float minBall = 0.57F;
 
 template <class Make>

@@ -175,7 +175,7 @@ TEST_CASE("instances: visible instances are listed in the level of detail for th
       const Eye eye(stage.values);
       const bool sphere = shape == Shape::sphere;
       const double reach = sphere ? double{draw::InstanceShape::sphere().radius()} : 0.5;
-      const double minimum = sphere ? 0 : additive ? 1.25 : 0.57;  // min radius in pixels
+      const double minimum = sphere ? 0 : additive ? 1.75 : 0.57;  // min radius in pixels
       const double points = !additive ? 1.6 : draw::GlowSums::used() ? 5 : 64;
       const double error = gl::softwareDriver() ? 0.5 : 0.2;
       const int levels = stage.pass.visible(0).levels();
@@ -310,7 +310,7 @@ TEST_CASE(
       const dvec4 clip = eye.clip(p);
       CHECK(glm::length(square.place - dvec3(clip) / clip.w) < 1e-5);
       const double own = radiusAt(instances, places[list[i]]);
-      const double minimum = (glows ? 1.25 : 0.57) * eye.depth(p) / eye.pixels,
+      const double minimum = (glows ? 1.75 : 0.57) * eye.depth(p) / eye.pixels,
                    radius = std::max(own, minimum);
       const double sine = radius / glm::length(eye.place - p);
       const double outline = radius / std::sqrt(1 - sine * sine);

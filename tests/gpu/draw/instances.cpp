@@ -249,13 +249,13 @@ TEST_CASE("small glows conserve their light at any size") {
       for (int x = 0; x < 65; ++x) sum += std::pow(std::max(p.at(x, y).y - 3, 0) / 255.0, 2.2);
     return sum;
   };
-  // The scale is 17.9 pixels per metre. The radii are 1.25 and 0.3 pixels. The product of brightness and
+  // The scale is 17.9 pixels per metre. The radii are 1.75 and 0.3 pixels. The product of brightness and
   // area is the same for both.
-  const double wide = total(0.14F, 0.3F, glm::vec3(0));
-  const double fine = total(0.0336F, 0.3F * 0.14F * 0.14F / (0.0336F * 0.0336F), glm::vec3(0));
+  const double wide = total(0.196F, 0.3F, glm::vec3(0));
+  const double fine = total(0.0336F, 0.3F * 0.196F * 0.196F / (0.0336F * 0.0336F), glm::vec3(0));
   CHECK(fine == doctest::Approx(wide).epsilon(0.05).scale(0));
   // The total depends little on the position within a pixel.
-  CHECK(total(0.0336F, 5.2F, glm::vec3(0.028F, 0.028F, 0)) == doctest::Approx(fine).epsilon(0.3).scale(0));
+  CHECK(total(0.0336F, 10.2F, glm::vec3(0.028F, 0.028F, 0)) == doctest::Approx(fine).epsilon(0.3).scale(0));
 }
 
 TEST_CASE("a glow looks the same among many dead instances") {

@@ -19,6 +19,13 @@ void main() {
   if (pixel.x >= view.size.x || pixel.y >= view.rows.y) return;
   int first = firstSample(pixel);
   precise vec4 sum = imageLoad(sums, pixel);
+  // Light is compressed if the pixel's coverage is negative (edge_light.glsl). The emission was compressed before.
+  bool compressed = linear == 0 && sum.a < 0.0f;
+  float before = 0.0f;
+  for (int i = compressed ? 0 : 1; i < 1; ++i) {
+    precise vec3 emitted = evenedLight(sum, frame.exposure).rgb * exactReciprocal(max(-sum.a, 1e-6f));
+    before = brightnessOf(emitted, frame.exposure);
+  }
   for (int s = 0; s < SAMPLES; ++s) {
     int same = samplesShowing(first, s);
     if (same == 0) continue;
@@ -26,9 +33,8 @@ void main() {
     precise float factor = share * float(same) * perSamples() * exactReciprocal(float(raysOf(same, raySamples)));
     vec3 light = texelFetch(spotLight, first + s).rgb;
     precise vec3 mean = light * exactReciprocal(float(raysOf(same, raySamples)));
-    // Light is compressed if the pixel's coverage is negative (edge_light.glsl).
-    float b = linear == 1 || sum.a >= 0.0f ? 0.0f : brightnessOf(mean, frame.exposure);
-    sum = sum + vec4(light, 0.0f) * (factor * compression(b));
+    float kept = compressed ? furtherCompression(before, brightnessOf(mean, frame.exposure)) : 1.0f;
+    sum = sum + vec4(light, 0.0f) * (factor * kept);
   }
   imageStore(sums, pixel, sum);
 }

@@ -14,6 +14,16 @@ FUNCTION float compression(float b) {
   return b > 0.5f ? factor : 1.0f;
 }
 
+// Returns the factor that compresses the light of rays, of brightness b, in a pixel whose emission has the mean
+// brightness `before`. Both parts together are compressed like one light, so that they never exceed 1, the limit of
+// compressed brightness. Without emission the factor is compression(b).
+FUNCTION float furtherCompression(float before, float b) {
+  precise float all_ = before + b;
+  precise float more = all_ * compression(all_) - before * compression(before);
+  precise float factor = max(more, 0.0f) * exactReciprocal(max(b, 1e-6f));
+  return before > 0.0f ? factor : compression(b);
+}
+
 // Returns the weights with which the light and the coverage of a primitive are added to a pixel whose light is `before`
 // so far. `share` is the fraction of the pixel that shows the primitive, and b is the primitive's brightness. The light
 // is compressed, unless the primitive fills the pixel (`whole`) or blended layers lie in front of it.

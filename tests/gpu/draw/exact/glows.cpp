@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -170,6 +171,40 @@ TEST_CASE("a glow whose middle lies beyond an edge of the picture shows what of 
       CHECK(worst < 1e-4);
       CHECK(sum > 0.01);
     }
+  }
+}
+
+TEST_CASE("a glow smaller than a pixel has the light of its area at any place, and a round footprint") {
+  testContext();
+  scene::Scene scene = darkScene();
+  ExactStage stage(scene, {41, 37}, 4);
+  const shader::ExactView& v = stage.view;
+  const GlowFormula formula(v);
+  const double depth = 3;
+  const double pixels = 0.5;
+  for (int step = 0; step < 16; ++step) {
+    CAPTURE(step);
+    const glm::vec2 steps(step % 4, step / 4);
+    const glm::vec2 place = glm::vec2(20, 18) + 0.25F * steps;
+    const glm::vec3 ray =
+        glm::vec3(v.ray) + glm::vec3(v.rayAcross) * place.x + glm::vec3(v.rayDown) * place.y;
+    InstanceStage glow({glm::vec4(glm::vec3(v.eye) + static_cast<float>(depth) * ray, 1)},
+                       {{0, 0, 0, 0.5F}});
+    glow.instances.size = static_cast<float>(2 * pixels * depth / formula.perMetre());
+    glow.instances.additive = true;
+    draw::GlowRaster raster(4);
+    const auto found = lightOf(stage, raster, glow.instances);
+    double sum = 0;
+    for (const glm::vec4& light : found) sum += static_cast<double>(light.r);
+    // The integral of (1 - (distance / radius)^2)^2 over a disc is a third of the disc's area.
+    const double whole =
+        std::numbers::pi / 3 * pixels * pixels * static_cast<double>(glow.material.color.r);
+    CHECK(sum == doctest::Approx(whole).epsilon(0.05));
+    if (step > 0) continue;
+    const auto at = [&](int x, int y) { return found[static_cast<std::size_t>(y * 41 + x)].r; };
+    CHECK(at(19, 17) > 0.0F);  // the four pixels around the glow, then their neighbours and the corners
+    CHECK(at(18, 17) > 0.02F * at(19, 17));
+    CHECK(at(18, 16) == 0.0F);
   }
 }
 

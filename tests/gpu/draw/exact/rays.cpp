@@ -67,6 +67,23 @@ TEST_CASE("rays: in a furnace a surface sends what its lobe mirrors, and its alb
   }
 }
 
+TEST_CASE("rays: where two triangles that shine meet, a pixel has the light of both sides") {
+  testContext();
+  TriangleStage sheet({{-9, -9, 0}, {9, -9, 0}, {-9, 9, 0}, {9, 9, 0}}, {0, 1, 2, 2, 1, 3},
+                      std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)));
+  sheet.material.color = glm::vec3(0.8F);
+  sheet.material.roughness = 1;
+  sheet.material.finish.emission = glm::vec3(1);
+  sheet.material.finish.emissionStrength = 9;
+  const RayPicture picture = rayPicture(furnace(16), {.surfaces = {sheet.surface}}, {24, 24}, 4);
+  const double away = picture.mean({0, 0}, {8, 8}).x;  // the seam runs from corner to corner
+  CHECK(away == doctest::Approx(9.8).epsilon(0.02));
+  for (int i = 0; i < 24; ++i) {
+    CHECK(picture.at(i, i).x == doctest::Approx(away).epsilon(0.03));
+    CHECK(picture.at(i, 23 - i).x == doctest::Approx(away).epsilon(0.03));
+  }
+}
+
 TEST_CASE("rays: a ball above the ground keeps the sky's light out by its form factor") {
   testContext();
   scene::Scene scene = furnace(256);
