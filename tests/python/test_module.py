@@ -457,7 +457,7 @@ class Errors(ModuleCase):
                 scene["life"][cells] = value
         with self.assertRaisesRegex(TypeError, r"frames\[0\] is an integer, not 1\.5"):
             scene.save(self.folder / "out", [1.5])
-        self.assertEqual(self.scene(assets="zz")._assets, ["zz"])
+        self.assertEqual(self.scene(assets=str(self.folder))._assets, [str(self.folder)])
 
     def test_another_device_can_be_opened_when_all_scenes_are_closed(self):
         with self.scene() as scene:

@@ -15,9 +15,9 @@ BOTH_PATHS = ["flag", "ripple", "sparks"]
 # factor pixels are compared. At the original size, edges alone would exceed the bound, because the sample positions
 # differ.
 SIZE = (150, 84, 4)
-# Scenes with details (blades, crests, darts, grains) that are narrower than the sample spacing even at the larger size.
+# Scenes with details (blades, crests, darts, folds, grains) that are narrower than the sample spacing even at the larger size.
 FINE = (75, 42, 16)
-FINE_SCENES = {"cascade", "cave", "cave_map", "leather", "meadow", "raft", "sparks", "swarm", "waves"}
+FINE_SCENES = {"cascade", "cave", "cave_map", "flag", "leather", "meadow", "raft", "sparks", "swarm", "waves"}
 FLIP = 0.01
 # Scenes with textured surfaces, fields and glows. With SIMREEL_LONG, all scenes are tested.
 FEW = ["contour", "flag", "sparks"]

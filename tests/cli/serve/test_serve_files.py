@@ -114,6 +114,7 @@ class NamedFiles(ViewerCase):
         self.assertEqual(viewer.pictures[-1][0]["stepped"], stepped)
 
     def test_a_missing_file_may_be_added_later(self):
+        self.mistake = 'no file "start.png"'
         self.write("scene.json", with_values({"objects.dish.grayScott.image": "start.png"}, FIELD))
         viewer = self.viewer()
         viewer.until(lambda kind, m: kind == "scene" and "start.png" in m["mistakes"])
