@@ -272,8 +272,9 @@ TEST_CASE("sequence: skipping refuses frames of a different run, by manifest or 
     const std::string before = text(manifest);
     for (const bool listed : {true, false}) {
       if (!listed) std::filesystem::remove(manifest);
-      for (const auto& [run, words] : others) {
-        const auto [code, message] = errorOf([&] { renderInto(output, Existing::skip, 5, run); });
+      for (const auto& other : others) {  // Clang 14 cannot capture structured bindings.
+        const auto& words = other.second;
+        const auto [code, message] = errorOf([&] { renderInto(output, Existing::skip, 5, other.first); });
         CHECK(code == ExitCode::usage);
         CHECK(contains(message, "cannot skip existing frames: " + words));
         CHECK(pathExists(manifest) == listed);
