@@ -171,8 +171,8 @@ std::optional<glm::vec3> aimPoint(const Scene& scene) {
   return std::nullopt;
 }
 
-/// Returns the angles of an orbit in degrees, at most 15 apart: all between the smallest and the largest
-/// key, or those of a whole turn.
+/// Returns the angles of an orbit in degrees, at most 15 apart. They go from the smallest to the largest
+/// key, or round a whole turn.
 std::vector<double> turnsOf(const Orbit& orbit) {
   double low = 1e9, high = -1e9;
   for (const auto& key : orbit.turn.keys()) {

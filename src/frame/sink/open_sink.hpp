@@ -20,8 +20,8 @@ namespace simreel::frame {
 /// Throws UserError(inputOutput) if an output file of one of the frames exists.
 void refuseExisting(const OutputName& output, std::span<const int> frames);
 
-/// Says which existing pictures a run with --resume draws anew, in one line: those of `frames` that are not
-/// in `kept`.
+/// Prints one line that names the existing pictures that a run with --resume draws again: pictures of
+/// `frames` that are not in `kept`.
 void tellOfRedrawn(const OutputName& output, std::span<const int> frames,
                    const std::map<int, ManifestFrame>& kept);
 

@@ -46,7 +46,7 @@ struct ContourParameters final : ObjectParameters, scene::HasOwnColors {
   [[nodiscard]] std::vector<glm::vec3> colors() const;
 
  private:
-  /// Returns the depth as a fraction of the width: that of the image, or 1 for a field.
+  /// Returns the depth divided by the width of the image; 1 for a field.
   [[nodiscard]] float aspect() const;
 };
 

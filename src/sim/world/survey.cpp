@@ -139,7 +139,7 @@ struct SampledObject {
   scene::Box wide;                       ///< region outside of which points are ignored
   std::vector<glm::vec3> seen = {};      ///< outermost points in `near` of all sampled frames
   std::vector<glm::vec3> seenWide = {};  ///< outermost points in `wide`
-  std::size_t samples = 0, far = 0;      ///< number of points in `wide`, and of those outside `near`
+  std::size_t samples = 0, far = 0;      ///< number of points in `wide`; number of them outside `near`
 };
 
 /// Returns the box enlarged on each side by `times` its size.
