@@ -220,6 +220,16 @@ class Materials(Case):
         self.scene("square.gltf", {"color": [0, 0, 0], "emission": [0, 0, 1], "alpha": "blend", "opacity": 0.5})
         self.assertTrue(180 < self.picture()[0][2] < 195)
 
+    def test_holes_do_not_depend_on_the_size_of_triangles(self):
+        """A plane of 2 triangles, drawn by workgroups, and the same plane of 8,192, drawn one per invocation. With the
+        corners of the small ones swapped, 428 pixels differ."""
+        material = {"texture": "textures/halo.png", "alpha": "cut", "textureScale": [4, 4]}
+        for side in (2, 65):
+            plane = {"shape": "plane", "size": [2, 0, 2], "rotation": [60, 20, 0], "position": [0, 1, 0], "resolution": [side, side]}
+            self.write("plane.json", {"version": 2, "objects": {"a": {"mesh": plane, "material": material}}})
+            self.good("render", "plane.json", "-o", f"{side}.png", "--frames", 0, "--size", "160x90")
+        self.good("diff", "2.png", "65.png", "--max-diff-pixels", 40)
+
     def test_validate_opens_what_render_opens(self):
         self.write("leaf.png", png([(255, 255, 255, 255), (255, 255, 255, 40)]))
         self.write("words.png", b"no picture")
