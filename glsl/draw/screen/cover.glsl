@@ -15,3 +15,20 @@ FUNCTION vec3 lightOfCover(vec3 light, float cover) {
   ROUNDED vec3 own = light * inverse(cover);
   return own;
 }
+
+// Returns the part of the premultiplied `light` that counts as added light: all that exceeds a white surface of the
+// alpha `covered`. `white`: light of a white surface.
+FUNCTION vec3 lightBeyondCover(vec3 light, float covered, float white) {
+  ROUNDED vec3 more = light - vec3(covered * white);
+  return max(more, vec3(0.0f));
+}
+
+// Returns the straight colour of a pixel of the alpha `cover`, of which objects hide the fraction `covered`. `surface`:
+// the encoded colour of the objects. `added`: the encoded added light alone, premultiplied.
+FUNCTION vec3 colorOfCover(vec3 surface, float covered, vec3 added, float cover) {
+  if (cover < 1e-4f) return vec3(0.0f);
+  ROUNDED float share = clamp(covered * inverse(cover), 0.0f, 1.0f);
+  vec3 glow = lightOfCover(added, coverOf(0.0f, added));
+  ROUNDED vec3 color = share * surface + (1.0f - share) * glow;
+  return color;
+}

@@ -101,6 +101,18 @@ TEST_CASE("transparent: partly covered pixels store unpremultiplied light of the
   CHECK(shader::lightOfCover(glm::vec3(0), 0) == glm::vec3(0));
 }
 
+TEST_CASE("transparent: light beyond that of a white surface counts as added light") {
+  CHECK(shader::lightBeyondCover(glm::vec3(0.2F, 0.6F, 0.5F), 0.25F, 2) == glm::vec3(0, 0.1F, 0));
+  // The colour is that of the surface alone, or of the added light alone, where only one of them is in the
+  // pixel.
+  const glm::vec3 surface(0.4F, 0.5F, 0.6F), glow(0.2F, 0.1F, 0);
+  CHECK(shader::colorOfCover(surface, 1, glow, 1) == surface);
+  const glm::vec3 alone = shader::colorOfCover(surface, 0, glow, shader::coverOf(0, glow));
+  CHECK(alone.x == doctest::Approx(1));
+  CHECK(alone.y == doctest::Approx(0.5));
+  CHECK(shader::colorOfCover(surface, 0, glm::vec3(0), 0) == glm::vec3(0));
+}
+
 TEST_CASE("transparent: compositing over any background gives the same result as drawing over it") {
   for (const double alpha : {0., 1., 100., 254., 255.})
     for (const float opacity : {0.0F, 0.3F, 0.85F, 1.0F}) {

@@ -20,6 +20,10 @@ layout(rgba8, binding = pictureImage) writeonly restrict uniform image2D picture
 #endif
 uniform vec2 perSize;  // 2 / size of the picture in pixels
 vec2 perSize_ = once(perSize);
+#ifdef TRANSPARENT
+uniform float white;  // light of a white surface; unlimited in a picture without blended layers
+float white_ = once(white);
+#endif
 #ifdef BLOOM
 #include "draw/exact/screen/bloom_read.glsl"
 uniform float bloomStrength;
@@ -47,14 +51,14 @@ void finish(ivec2 at) {
 #endif
   precise vec2 aside = place * perSize_ - 1.0f;
 #ifdef TRANSPARENT
-  precise vec3 more = light - drawn.rgb;
-  vec3 added = drawn.a > 0.0f ? more : light;
 #ifdef LINEAR
   imageStore(picture, at, vec4(light, drawn.a));
 #else
+  precise vec3 added = light - drawn.rgb + lightBeyondCover(drawn.rgb, drawn.a, white_);
   vec3 shown = encoded(filmed(throughLens(added, aside)));
   float cover = coverOf(drawn.a, shown);
-  vec3 own = drawn.a > 0.0f ? encoded(filmed(lightOfCover(throughLens(light, aside), cover))) : lightOfCover(shown, cover);
+  vec3 surface = encoded(filmed(lightOfCover(throughLens(light, aside), cover)));
+  vec3 own = colorOfCover(surface, drawn.a, shown, cover);
 #ifdef DEEP
   imageStore(picture, at, cover < 1e-4f ? vec4(0.0f) : vec4(own, cover));
   return;

@@ -1,3 +1,4 @@
+#include "base/ieee.hpp"
 #include "draw/exact/scene/exact_frame.hpp"
 #include "draw/exact/screen/bloom.hpp"
 #include "draw/exact/screen/light_pictures.hpp"
@@ -26,6 +27,7 @@ struct FilmKernel {
   gl::Ambient<"environment"> environment = {};
   gl::Uniform<"perSize", glm::vec2> perSize;
   gl::Uniform<"bloomStrength", float> bloomStrength;
+  gl::Uniform<"white", float> white;
   gl::In<"sums"> light;
   gl::In<"scattered"> scattered;
   gl::Out<"picture"> picture;
@@ -88,9 +90,17 @@ class FilmPass final : public FramePass {
     kernel.dispatch({f.size.x, (f.size.y + rowsAtOnce() - 1) / rowsAtOnce()},
                     {.perSize = 2.0F / glm::vec2(f.size),
                      .bloomStrength = f.scene.render.bloom.strength.at(f.asked.frame.seconds),
+                     .white = whiteLight(),
                      .light = f.light,
                      .scattered = f.scattered != nullptr ? *f.scattered : f.light,
                      .picture = into});
+  }
+  /// Returns the light of a white surface. Without blended surfaces, all light at the edges of objects
+  /// belongs to the objects.
+  [[nodiscard]] float whiteLight() const {
+    if (!f.transparent.anyBlended()) return 6e4F;
+    return static_cast<float>(
+        ieee::exp2(-static_cast<double>(f.scene.render.exposure.at(f.asked.frame.seconds))));
   }
   void keepLight() {
     expose(linear_, light_);
