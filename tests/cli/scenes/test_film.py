@@ -99,8 +99,8 @@ class Film(Case):
         self.bad(2, "PNG pictures have 8 or 16 bits", *see, "-o", "a.png", "--bits", "32")
         self.bad(2, "OpenEXR pictures have 16 or 32 bits", *see, "-o", "a.exr", "--bits", "8")
         self.bad(2, "videos and streams have 8 bits", *see[:5], "-o", "a.mp4", "--bits", "16")
-        epidemic = str(SOURCE / "assets/scenes/epidemic.json")
-        self.bad(2, "a chart is drawn over the picture", "render", epidemic, "-o", "map.png", "--frames", "0", "--bits", "16")
+        self.write("chart.json", {"version": 1, "objects": {"cells": {"life": {"size": [32, 18]}}, "curve": {"chart": {"curves": [{"of": "cells.population"}]}}}})
+        self.bad(2, "a chart is drawn over the picture", "render", "chart.json", "-o", "map.png", "--frames", "0", "--bits", "16")
 
     def test_exr_files_hold_light_and_layers(self):
         self.write("scene.json", SCENE)
