@@ -185,6 +185,8 @@ class Text(Case):
     def test_text_changes_with_the_frame(self):
         fire = json.loads((SOURCE / "assets/scenes/wildfire.json").read_text())
         name = next(iter(fire["objects"]))
+        fire["objects"] = {name: fire["objects"][name]}
+        fire["objects"][name]["wildfire"]["display"] = {}
         fire["objects"]["words"] = {"text": {"text": "{frame} {time:1}", "screen": {"height": 0.2}}}
         # Text with the quantity of another object must be drawn like plain text of that number.
         fire["objects"]["count"] = {"text": {"text": f"{{{name}.unburnt:0}}", "screen": {"height": 0.1, "y": 0.6}}}
