@@ -381,6 +381,23 @@ class Errors(ModuleCase):
         with self.assertRaisesRegex(simreel.Error, "closed"):
             scene.image()
 
+    def test_errors_of_save_name_keyword_arguments(self):
+        """Takes 0.3 s."""
+        scene = self.scene()
+        scene.save(self.folder / "one.png", 0)
+        for words, arguments, options in (("frames a: ", ("x/", "a"), {}), ("output .*x.foo: ", ("x.foo",), {}), ("overwrite=True or resume=True", ("one.png", 0), {"overwrite": False}),
+                                          ("manifest=False: resume=True", ("x.mp4",), {"resume": True})):
+            with self.assertRaisesRegex(simreel.Error, words) as raised:
+                scene.save(self.folder / arguments[0] if "/" not in arguments[0] else arguments[0], *arguments[1:], **options)
+            self.assertNotIn("--", str(raised.exception))
+        with self.assertRaisesRegex(simreel.Error, "port is 0 to 65535, not 70000"):
+            scene.serve(port=70000)
+
+    def test_a_change_that_is_not_finite_is_named(self):
+        for number in (numpy.nan, float("inf"), [1, float("nan")]):
+            with self.assertRaisesRegex(simreel.Error, "the change of time.duration is .*; a scene holds only finite numbers"):
+                simreel.load(self.folder / "scene.json", {"time.duration": number})
+
     def test_numbers_that_are_not_finite_cannot_be_written(self):
         scene = self.scene()
         flag, here = scene.step()["flag"], scene.state_hash
