@@ -64,7 +64,7 @@ class Pictures(ModuleCase):
         scene.save(self.folder / "saved_#.exr", 0, layers=["normal", "depth"], bits=32)
         self.good("-q", "render", "scene.json", "-o", "rendered_#.exr", "--frames", "0", "--layers", "depth,normal", "--bits", "32", "--no-manifest")
         self.assertEqual((self.folder / "saved_0.exr").read_bytes(), (self.folder / "rendered_0.exr").read_bytes())
-        for options, words in (({"layers": ["dept"]}, '"depth"'), ({"bits": 7}, "8, 16 or 32"), ({"fields": "x"}, "--fields")):
+        for options, words in (({"layers": ["dept"]}, '"depth"'), ({"bits": 7}, "8, 16 or 32"), ({"fields": "x"}, "^fields: no object")):
             with self.assertRaisesRegex(simreel.Error, words):
                 scene.save(self.folder / "wrong.exr", 0, **options)
         self.assertEqual(scene.step().number, 1)
