@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
@@ -40,6 +41,17 @@ class Error(Exception):
 
     def __reduce__(self):  # allows pickling, so that errors of worker processes keep all their members
         return Error, (str(self), self.kind, [tuple(one) for one in self.mistakes])
+
+
+def with_keywords(error: Error) -> Error:
+    """Returns an error of the command line with keyword arguments in place of flags: "--frames a" becomes "frames a"."""
+    text = str(error)
+    for flags, words in (("use --overwrite, --skip-existing or --resume", "use overwrite=True or resume=True"),
+                         ("use --overwrite or --skip-existing", "use overwrite=True"), ("--no-manifest", "manifest=False"), ("--overwrite", "overwrite=True"),
+                         ("--resume", "resume=True"), (", or - for standard output", "")):
+        text = text.replace(flags, words)
+    text = re.sub(r"--(output|frames|layers|bits|fields)\b", r"\1", text)
+    return Error(text, error.kind, error.mistakes)
 
 
 class UnknownName(Error, KeyError, AttributeError):

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from . import _arguments, _native
-from ._errors import Error, UnknownName
+from ._errors import Error, UnknownName, with_keywords
 from ._folder import folder_of
 from ._frame import Frame, Object
 from ._messages import Reporting, report, warn
@@ -39,8 +39,16 @@ def _plain(value):
 def _pairs(changes):
     if changes is not None and not isinstance(changes, Mapping):
         raise TypeError(f"changes are a dict of values by dotted path, not {changes!r}")
-    return [(_arguments.text("a path of changes", path), json.dumps(value, default=_plain))
+    return [(_arguments.text("a path of changes", path), _value_text(f"the change of {path}", value))
             for path, value in (changes or {}).items()]
+
+
+def _value_text(name, value):
+    """Returns a value as JSON."""
+    try:
+        return json.dumps(value, default=_plain, allow_nan=False)
+    except ValueError:
+        raise Error(f"{name} is {value!r}; a scene holds only finite numbers") from None
 
 
 def _frames_text(frames):
@@ -339,6 +347,8 @@ class Scene:
         bar = Bar(0, None if progress is None else _arguments.flag("progress", progress))
         try:
             return self._native.render(place, options, bar.count if bar.shown else None)
+        except Error as error:
+            raise with_keywords(error) from None
         finally:
             bar.end()
 
@@ -356,7 +366,9 @@ class Scene:
             words += ["-D", f"{path}={value}"]
         for folder in self._assets + ([os.getcwd()] if self._source is None else []):
             words += ["--assets", folder]
-        words += ["--port", str(_arguments.integer("port", port)), "--bind", _arguments.text("bind", bind)]
+        if not 0 <= _arguments.integer("port", port) < 65536:
+            raise Error(f"port is 0 to 65535, not {port}")
+        words += ["--port", str(port), "--bind", _arguments.text("bind", bind)]
         view = View(self, words, _arguments.integer("height", height))
         self._views.append(view)
         if sys.stdout.isatty():

@@ -16,7 +16,7 @@ from . import _arguments, _native
 from ._device import device_words
 from ._errors import Error
 from ._folder import folder_of
-from ._scene import _Kernels, _frames_text, _pairs, _plain
+from ._scene import _Kernels, _frames_text, _pairs, _plain, _value_text
 
 if TYPE_CHECKING:
     from ._scene import Numbers, Source
@@ -43,7 +43,7 @@ def run_program(*words, accepted=(0,), cwd=None):
 
 def _word(value):
     """Returns a value as a list of --vary takes it."""
-    text = value if isinstance(value, str) else json.dumps(value, default=_plain)
+    text = value if isinstance(value, str) else _value_text("a value", value)
     if "," in text and not text.startswith(("[", "{")):
         raise Error(f"a sweep cannot take the value {text!r}, which has a comma")
     return text
@@ -56,6 +56,9 @@ class Sweep:
         self.folder, self._keeper = pathlib.Path(folder), keeper
         self._device: list[str] = []
         self._jobs: int | str = 1
+
+    def __repr__(self) -> str:
+        return f"<simreel.Sweep in {str(self.folder)!r}>"
 
     def rows(self, frames: Numbers = None) -> list[dict[str, Any]]:
         """Returns the jobs as dicts, with numbers where a column holds numbers.
@@ -130,6 +133,8 @@ def sweep(source: Source, values: Mapping[str, Iterable[Any]], *, jobs: int | st
     """
     kernels, words = _Kernels(), []
     several = _several(values)
+    if not several:
+        raise Error("nothing varies; give a list of values for at least one path")
     if jobs != "auto" and _arguments.integer("jobs", jobs) < 1:
         raise Error(f"jobs is at least 1 or \"auto\", not {jobs}")
     spare = pathlib.Path(folder_of(kernels, "sweep"))

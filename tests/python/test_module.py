@@ -64,7 +64,7 @@ class Pictures(ModuleCase):
         scene.save(self.folder / "saved_#.exr", 0, layers=["normal", "depth"], bits=32)
         self.good("-q", "render", "scene.json", "-o", "rendered_#.exr", "--frames", "0", "--layers", "depth,normal", "--bits", "32", "--no-manifest")
         self.assertEqual((self.folder / "saved_0.exr").read_bytes(), (self.folder / "rendered_0.exr").read_bytes())
-        for options, words in (({"layers": ["dept"]}, '"depth"'), ({"bits": 7}, "8, 16 or 32"), ({"fields": "x"}, "--fields")):
+        for options, words in (({"layers": ["dept"]}, '"depth"'), ({"bits": 7}, "8, 16 or 32"), ({"fields": "x"}, "^fields: no object")):
             with self.assertRaisesRegex(simreel.Error, words):
                 scene.save(self.folder / "wrong.exr", 0, **options)
         self.assertEqual(scene.step().number, 1)
@@ -380,6 +380,23 @@ class Errors(ModuleCase):
         scene.close()
         with self.assertRaisesRegex(simreel.Error, "closed"):
             scene.image()
+
+    def test_errors_of_save_name_keyword_arguments(self):
+        """Takes 0.3 s."""
+        scene = self.scene()
+        scene.save(self.folder / "one.png", 0)
+        for words, arguments, options in (("frames a: ", ("x/", "a"), {}), ("output .*x.foo: ", ("x.foo",), {}), ("overwrite=True or resume=True", ("one.png", 0), {"overwrite": False}),
+                                          ("manifest=False: resume=True", ("x.mp4",), {"resume": True})):
+            with self.assertRaisesRegex(simreel.Error, words) as raised:
+                scene.save(self.folder / arguments[0] if "/" not in arguments[0] else arguments[0], *arguments[1:], **options)
+            self.assertNotIn("--", str(raised.exception))
+        with self.assertRaisesRegex(simreel.Error, "port is 0 to 65535, not 70000"):
+            scene.serve(port=70000)
+
+    def test_a_change_that_is_not_finite_is_named(self):
+        for number in (numpy.nan, float("inf"), [1, float("nan")]):
+            with self.assertRaisesRegex(simreel.Error, "the change of time.duration is .*; a scene holds only finite numbers"):
+                simreel.load(self.folder / "scene.json", {"time.duration": number})
 
     def test_numbers_that_are_not_finite_cannot_be_written(self):
         scene = self.scene()

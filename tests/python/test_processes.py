@@ -196,7 +196,7 @@ class Sweeps(ModuleCase):
             simreel.sweep(file, {"seed": [1]}, frames=1)
         self.assertEqual((raised.exception.file, raised.exception.suggestion), (str(file), "cloth"))
         self.assertGreater(raised.exception.line, 0)
-        for values, message in (({"seed": []}, "there are no values of seed"), ({"seed": "12"}, "the values of seed are a list")):
+        for values, message in (({}, "nothing varies; give a list"), ({"seed": []}, "there are no values of seed"), ({"seed": "12"}, "the values of seed are a list")):
             with self.assertRaisesRegex((simreel.Error, TypeError), message):
                 simreel.sweep(file, values)
         with self.assertRaisesRegex(simreel.Error, "jobs is at least 1"):

@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 from module_case import SCENE, SOURCE, ModuleCase
@@ -83,14 +84,18 @@ class Plugin(ModuleCase):
 
 @unittest.skipUnless(importlib.util.find_spec("mypy"), "no mypy")
 class Types(ModuleCase):
+    @classmethod
+    def setUpClass(cls):
+        # The strict runs share what mypy has read of numpy, which takes most of the time.
+        cls.cache = cls.enterClassContext(tempfile.TemporaryDirectory(prefix="simreel-types-"))
+
     def test_types_find_a_wrong_name(self):
         self.write("good.py", GOOD)
         self.write("bad.py", BAD)
-        done = run("mypy", "--strict", "good.py", "bad.py", folder=self.folder)
+        done = run("mypy", "--cache-dir", self.cache, "--strict", "good.py", "bad.py", folder=self.folder)
         found = re.findall(r"^\w+\.py:\d+: error: .*", done.stdout, re.M)
         self.assertEqual(len(found), 1, done.stdout)
         self.assertIn("fabrik", found[0])
-
 
     def test_the_examples_of_the_guide_have_the_right_types(self):
         """Takes 15 s."""
@@ -100,7 +105,7 @@ class Types(ModuleCase):
                 self.write(name, code.replace("fabrik", "fabric"))
         files = sorted(file.name for file in self.folder.glob("*.py"))
         self.assertGreater(len(files), 8)
-        done = run("mypy", "--strict", *files, folder=self.folder)
+        done = run("mypy", "--cache-dir", self.cache, "--strict", *files, folder=self.folder)
         self.assertEqual(done.returncode, 0, done.stdout)
 
     def test_the_module_itself_has_no_wrong_types(self):

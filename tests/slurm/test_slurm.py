@@ -61,7 +61,7 @@ class OnCluster(Case):
     def setUpClass(cls):
         cls.place = pathlib.Path(tempfile.mkdtemp(prefix="simreel-slurm-"))
         cls.addClassCleanup(shutil.rmtree, cls.place, True)
-        cls.cluster = Cluster(cls.place, max_array=20)
+        cls.cluster = Cluster(cls.place, max_array=8)
         cls.addClassCleanup(cls.cluster.stop)
         cls.cluster.start()
 
@@ -93,34 +93,34 @@ class OnCluster(Case):
         return "".join(f"{p.name}: {p.read_text()}" for p in sorted((self.folder / folder / "slurm").glob("*.log")))
 
     def test_sweep_and_a_full_disk(self):
-        """24 jobs in two arrays; the scratch disk of one node is full at first."""
+        """12 jobs in two arrays; the scratch disk of one node is full at first."""
         self.write("dish.json", DISH)
         small = self.place / "scratch/n2"
         small.mkdir(parents=True)
         full = os.getuid() == 0 and subprocess.run(["mount", "-t", "tmpfs", "-o", "size=8k", "none", str(small)]).returncode == 0
         if full:
             self.addCleanup(subprocess.run, ["umount", str(small)], capture_output=True)
-        sweep = ("sweep", "dish.json", "--vary", "objects.dish.grayScott.feed=0.02:0.055:0.005", "--vary",
+        sweep = ("sweep", "dish.json", "--vary", "objects.dish.grayScott.feed=0.02:0.035:0.005", "--vary",
                  "objects.dish.grayScott.kill=0.055,0.06,0.065", "-o", "sweep/", "--slurm", "--scratch",
                  f"{self.place}/scratch/$SLURMD_NODENAME")
-        self.assertIn("24 jobs submitted as ", self.simreel(0, *sweep, "--sbatch", "--hold"))
-        self.assertIn("24 jobs: 0 done, 24 queued", self.simreel(7, "sweep", "status", "sweep"))
-        self.assertIn("24 of 24 jobs are queued already", self.simreel(0, "sweep", "retry", "sweep", "--slurm"))
+        self.assertIn("12 jobs submitted as ", self.simreel(0, *sweep, "--sbatch", "--hold"))
+        self.assertIn("12 jobs: 0 done, 12 queued", self.simreel(7, "sweep", "status", "sweep"))
+        self.assertIn("12 of 12 jobs are queued already", self.simreel(0, "sweep", "retry", "sweep", "--slurm"))
         held = sorted(job for job, *_ in self.queue())
-        self.assertEqual(len(held), 24)
+        self.assertEqual(len(held), 12)
         self.cluster.call("scontrol", "release", ",".join(sorted({job.partition("_")[0] for job in held})))
         self.wait_for(lambda: not self.queue())
         if full:
             told = self.simreel(1, "sweep", "status", "sweep")
             self.assertIn("No space left on device", told)
-            self.assertRegex(told, r"24 jobs: \d+ done, \d+ failed")
+            self.assertRegex(told, r"12 jobs: \d+ done, \d+ failed")
             subprocess.run(["umount", str(small)], check=True)
             self.simreel(0, "sweep", "retry", "sweep", "--slurm")
             self.wait_for(lambda: not self.queue())
-        self.assertEqual(self.simreel(0, "sweep", "status", "sweep"), "24 jobs: 24 done\n", self.logs("sweep"))
+        self.assertEqual(self.simreel(0, "sweep", "status", "sweep"), "12 jobs: 12 done\n", self.logs("sweep"))
         self.simreel(0, "sweep", "collect", "sweep")
         table = (self.folder / "sweep/table.csv").read_text().splitlines()
-        self.assertEqual(len(table), 25)
+        self.assertEqual(len(table), 13)
         for name in ("sheet.png", "index.html"):
             self.assertTrue((self.folder / "sweep" / name).exists())
         # A job must equal the run that a user would start by hand.

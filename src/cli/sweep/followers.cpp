@@ -105,6 +105,42 @@ void retry(const FollowerOptions& o) {
   runSweep(plan, all, o.run);
 }
 
+/// Returns the numbers of the frames of a job: those in its manifest; none if there is no readable
+/// manifest.
+std::vector<int> framesOf(const batch::SweepPlan& plan, std::size_t job) {
+  std::vector<int> numbers;
+  try {
+    if (const auto manifest = frame::readManifest(plan.jobFolder(job) / "manifest.json"))
+      for (const auto& [number, frame] : manifest->frames) numbers.push_back(number);
+  } catch (const UserError&) {  // NOLINT(bugprone-empty-catch): `sweep status` reports the job.
+  }
+  return numbers;
+}
+
+/// Throws UserError(usage) if no job has the frame. Warns of jobs that have other frames only.
+void requireFrame(const batch::SweepPlan& plan, int frame) {
+  std::vector<std::string> with, without;
+  int first = 0, last = -1;
+  for (std::size_t job = 0; job < plan.jobs.size(); ++job) {
+    const std::vector<int> frames = framesOf(plan, job);
+    if (frames.empty()) continue;
+    first = last < 0 ? frames.front() : std::min(first, frames.front());
+    last = std::max(last, frames.back());
+    (std::binary_search(frames.begin(), frames.end(), frame) ? with : without).push_back(plan.name(job));
+  }
+  if (last < 0) fail(ExitCode::usage, "no job of {} has frames yet", plan.folder.string());
+  constexpr std::size_t most = 8;  // names in a message
+  const bool all = without.size() <= most;
+  if (!all) without.resize(most);
+  const std::string names = fmt::format("{}{}", fmt::join(without, ", "), all ? "" : ", ...");
+  if (with.empty())
+    fail(ExitCode::usage, "--frame {}: no job of {} has this frame; jobs {} have frames {} to {}", frame,
+         plan.folder.string(), names, first, last);
+  if (!without.empty())
+    warn("--frame {}: jobs {} of {} do not have this frame; they are grey", frame, names,
+         plan.folder.string());
+}
+
 /// Returns the manifest of the first job that has frames. Throws UserError(usage) if no job has frames.
 frame::Manifest firstManifest(const batch::CollectedSweep& sweep) {
   for (std::size_t job = 0; job < sweep.jobs.size(); ++job)
@@ -145,6 +181,7 @@ void writeCollected(const FollowerOptions& o) {
     fail(ExitCode::usage, "--frames and --output of `sweep collect` need each other");
   const auto sweep = batch::collect(batch::readSweepPlan(o.folder));
   const auto& folder = sweep.plan.folder;
+  if (o.frame) requireFrame(sweep.plan, *o.frame);
   writeFileAtomically(folder / "table.csv", batch::tableText(sweep));
   std::string made = "table.csv, ";
   if (const std::string counts = batch::countsText(sweep); !counts.empty()) {

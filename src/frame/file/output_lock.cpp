@@ -75,7 +75,7 @@ std::vector<Range> rangesOf(std::span<const int> frames) {
 }  // namespace
 
 OutputLock::OutputLock(const std::filesystem::path& manifest, const std::string& run,
-                       std::span<const int> frames)
+                       std::span<const int> frames, const std::filesystem::path& file)
     : path_(manifest.string() + ".lock") {
   while (true) {
     open();
@@ -91,7 +91,7 @@ OutputLock::OutputLock(const std::filesystem::path& manifest, const std::string&
                                         // file is needed.
   }
   try {
-    claim(run, frames);
+    claim(run, frames, file);
   } catch (...) {
     ::close(std::exchange(file_, -1));
     throw;
@@ -113,7 +113,9 @@ bool OutputLock::stillThere() const {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-void OutputLock::claim(const std::string& run, std::span<const int> frames) const {
+void OutputLock::claim(const std::string& run, std::span<const int> frames,
+                       const std::filesystem::path& file) const {
+  const bool whole = !file.empty();  // True if all frames are in one file.
   const std::string folder = path_.parent_path().empty() ? "." : path_.parent_path().string();
   if (tryLock(file_, allFrames)) {
     if (::ftruncate(file_, 0) != 0 ||
@@ -128,11 +130,14 @@ void OutputLock::claim(const std::string& run, std::span<const int> frames) cons
     if (other != run)
       fail(ExitCode::inputOutput,
            "another simreel is rendering another scene, seed or size into {}; wait for it, or choose "
-           "another folder",
-           folder);
+           "another {}",
+           whole ? file.string() : folder, whole ? "file" : "folder");
   }
   for (const Range& range : rangesOf(frames)) {
     if (tryLock(file_, range)) continue;
+    if (whole)
+      fail(ExitCode::inputOutput,
+           "{} is being rendered by another simreel; wait for it, or choose another file", file.string());
     struct flock held = description(F_WRLCK, range);
     const bool known = ::fcntl(file_, F_OFD_GETLK, &held) == 0 && held.l_type != F_UNLCK;
     fail(ExitCode::inputOutput,

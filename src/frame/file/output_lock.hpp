@@ -17,8 +17,10 @@ class OutputLock {
   OutputLock() = default;
   /// Locks `frames`, which must be ascending. `run`: hash of everything except the frames that the output
   /// depends on. Throws UserError(inputOutput) if a running program has locked one of the frames or renders
-  /// another run, or if the lock file cannot be created.
-  OutputLock(const std::filesystem::path& manifest, const std::string& run, std::span<const int> frames);
+  /// another run, or if the lock file cannot be created. `file`: the video or single picture that contains
+  /// all frames, which the messages name; empty if each frame is a file.
+  OutputLock(const std::filesystem::path& manifest, const std::string& run, std::span<const int> frames,
+             const std::filesystem::path& file = {});
   ~OutputLock() { release(); }
   OutputLock(OutputLock&& other) noexcept
       : file_(std::exchange(other.file_, -1)), path_(std::move(other.path_)) {}
@@ -51,7 +53,7 @@ class OutputLock {
  private:
   void open();
   [[nodiscard]] bool stillThere() const;
-  void claim(const std::string& run, std::span<const int> frames) const;
+  void claim(const std::string& run, std::span<const int> frames, const std::filesystem::path& file) const;
 
   int file_ = -1;  ///< descriptor of the lock file; -1 if nothing is locked
   std::filesystem::path path_;

@@ -38,7 +38,8 @@ std::string contentOf(const std::filesystem::path& file) {
 SharedManifest::SharedManifest(const OutputName& output, const RunInfo& run, std::span<const int> frames)
     : output_(output),
       own_(frames.begin(), frames.end()),
-      lock_(output.manifestFile(), runIdentity(run), claimed(output, frames)),
+      lock_(output.manifestFile(), runIdentity(run), claimed(output, frames),
+            output.kind == OutputName::Kind::sequence ? std::filesystem::path() : output.file(0)),
       record_(beginRecord(run)) {
   others_.run = run;
 }

@@ -13,6 +13,7 @@
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace simreel::frame {
 
@@ -55,6 +56,13 @@ std::string signalName(int number) {
   return name == nullptr ? std::string() : fmt::format(" (SIG{})", name);
 }
 
+/// Returns the last line that is not empty.
+std::string lastLine(std::string text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
+  const std::size_t begin = text.find_last_of("\r\n");
+  return begin == std::string::npos ? text : text.substr(begin + 1);
+}
+
 void closeIfOpen(int& descriptor) {
   if (descriptor >= 0) ::close(descriptor);
   descriptor = -1;
@@ -85,7 +93,8 @@ std::pair<int, int> videoSize(const std::filesystem::path& file, int width, int 
   return {width + width % 2, height + height % 2};
 }
 
-Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments) {
+Ffmpeg::Ffmpeg(const std::vector<std::string>& arguments, std::filesystem::path file)
+    : file_(std::move(file)) {
   ignoreBrokenPipes();
   int ends[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0)
@@ -167,16 +176,15 @@ void Ffmpeg::failed(int status) {
     how = "had stopped reading, and was ended,";
   else if (WIFSIGNALED(status) && !killed_)
     how = fmt::format("was ended by signal {}{}", WTERMSIG(status), signalName(WTERMSIG(status)));
-  const std::string line = lastLine();
+  const std::string messages = endOfMemoryFile(messages_);
+  // ffmpeg reports these errors in several sentences of its own, which name the temporary file.
+  for (const int full : {ENOSPC, EDQUOT, EFBIG})
+    if (const char* reason = std::strerror(full); messages.find(reason) != std::string::npos)
+      fail(ExitCode::inputOutput, "cannot write {}: {}; make room there, or choose another --output",
+           file_.string(), reason);
+  const std::string line = lastLine(messages);
   fail(ExitCode::inputOutput, "ffmpeg {} before the video was complete{}{}", how, line.empty() ? "" : ": ",
        line);
-}
-
-std::string Ffmpeg::lastLine() const {
-  std::string text = endOfMemoryFile(messages_);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
-  const std::size_t begin = text.find_last_of("\r\n");
-  return begin == std::string::npos ? text : text.substr(begin + 1);
 }
 
 }  // namespace simreel::frame

@@ -26,8 +26,8 @@ namespace simreel::frame {
 class Ffmpeg {
  public:
   /// Starts ffmpeg. Throws UserError(inputOutput) if it cannot be started. If ffmpeg is missing, the
-  /// message says how to install it.
-  explicit Ffmpeg(const std::vector<std::string>& arguments);
+  /// message says how to install it. `file`: the finished video, which messages name.
+  Ffmpeg(const std::vector<std::string>& arguments, std::filesystem::path file);
   /// Kills the process if finish() was not called.
   ~Ffmpeg();
   Ffmpeg(const Ffmpeg&) = delete;
@@ -47,8 +47,8 @@ class Ffmpeg {
  private:
   int wait();
   [[noreturn]] void failed(int status);
-  [[nodiscard]] std::string lastLine() const;
 
+  std::filesystem::path file_;
   std::mutex mutex_;  ///< locked while a signal is sent to the process or its exit status is read
   pid_t process_ = -1;
   int input_ = -1;

@@ -51,7 +51,7 @@ class VideoSink final : public FrameSink {
           "{}: this encoder needs an even width and height, so {}x{} becomes {}x{} with a black edge; "
           "choose --size {}x{}",
           file_.string(), run.width, run.height, width, height, width, height);
-    ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, playedRate(run.fps, frames)));
+    ffmpeg_.emplace(ffmpegArguments(part_, run.width, run.height, playedRate(run.fps, frames)), file_);
     queue_.emplace(1, FrameQueue::maxWaitingInOrder,
                    [this](const FrameInfo& info, const std::optional<Image>& image) {
                      if (image) handle(info, *image);

@@ -43,9 +43,24 @@ Player::Player(PlayerOptions options, const gl::Context& context, Hub& hub)
   tellAbout();
   readFile();
   if (!options_.from.empty()) from_ = frame::Checkpoint::load(options_.from);
-  if (load(text_, {}, false)) return;
-  warnLinesOnce(mistakes_);  // A user without a page open sees in the terminal why there is no picture.
+  // A user without a page open sees in the terminal why there is no picture of a side.
+  if (load(text_, {}, false)) {
+    warnOfOther();
+    return;
+  }
+  warnLinesOnce(mistakes_);
   watch();
+}
+
+/// Writes the mistakes of the right side to the terminal. Its own values came from --beside.
+void Player::warnOfOther() {
+  std::string text = other_.mistakes();
+  if (text.empty()) return;
+  for (const scene::Override& edit : other_.edits()) {
+    const std::string mark = "-D " + edit.path + "=";
+    if (const std::size_t at = text.find(mark); at != std::string::npos) text.replace(at, 2, "--beside");
+  }
+  warnLinesOnce(text);
 }
 
 Player::~Player() = default;

@@ -84,6 +84,7 @@ class Player {
   bool load(const std::string& text, std::vector<scene::Override> edits, bool moving);
   /// Updates the right side after a change. `carries`: true if the left side continues with a state of a
   /// simulation with other values.
+  void warnOfOther();
   void showOther(bool moving, bool carries);
   void adjustTarget(bool carries);
   void resimulate();

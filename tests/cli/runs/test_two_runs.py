@@ -83,7 +83,8 @@ class TwoRuns(Case):
         path = {"PATH": f"{fake.parent}:/usr/bin:/bin"}
         first = self.start("render", "slow.json", "-o", "a.mp4", env=path)
         self.wait_until((self.folder / "a.mp4.manifest.json.lock").exists, first)
-        self.bad(6, ["by another simreel"], "render", "slow.json", "-o", "a.mp4", "--frames", "0-3", env=path)
+        self.bad(6, ["error: a.mp4 is being rendered by another simreel"], "render", "slow.json", "-o", "a.mp4", "--frames", "0-3", env=path)
+        self.bad(6, ["another scene, seed or size into a.mp4; ", "choose another file"], "render", "slow.json", "-o", "a.mp4", "--seed", "7", env=path)
         self.write("go", "")
         self.finish(first)
         self.assertFalse((self.folder / "a.mp4.manifest.json.lock").exists())

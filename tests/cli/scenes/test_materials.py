@@ -106,17 +106,16 @@ class Materials(Case):
         self.write("glow.png", png([(255, 0, 0, 255)]))
         self.scene("square.obj")
         self.assertEqual(self.picture(), ((0, 255, 0), (255, 0, 0)))
-        self.assertIn("map_refl of material \"right\"", self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "b/").err)
+        self.assertIn("map_refl of material \"right\"", self.said())
         self.write("square.mtl", b"newmtl left\nKd 0 0 0\nKe 0 1 0\nd 0.5\nnewmtl right\nKd 0 0 0\nKe 1 1 1\nmap_d hole.png\n")
         self.write("hole.png", png([(0, 0, 0, 255)]))
         left, right = self.picture()
         self.assertEqual(right, (0, 0, 0))
         self.assertTrue(180 < left[1] < 195, left)  # The picture contains half of the light.
         self.write("square.mtl", b"newmtl left\nmap_Kd gone.png\n")
-        self.assertIn("gone.png (it does not exist or is not a regular file)",
-                      self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "c/").err)
+        self.assertIn("gone.png (it does not exist or is not a regular file)", self.said())
         (self.folder / "square.mtl").unlink()
-        self.assertIn("square.mtl (it does not exist", self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "d/").err)
+        self.assertIn("square.mtl (it does not exist", self.said())
 
     def square(self, library):
         """Writes an OBJ with one material; at the points that picture() reads, u and v are 0.32 and 0.68."""
@@ -126,7 +125,8 @@ class Materials(Case):
         self.scene("square.obj")
 
     def said(self):
-        return self.good("render", "square.json", "--frames", "0", "--size", "8x8", "-o", "said/", "--overwrite").err
+        """Returns the warnings about the scene. `validate` prints them as `render` does, in a tenth of the time."""
+        return self.good("validate", "square.json").err
 
     def test_options_of_maps_in_libraries(self):
         red, green, blue, white = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255,) * 4
@@ -244,8 +244,9 @@ class Materials(Case):
                 if code == 0:
                     self.good(*command)
                 else:
-                    self.assertIn(words, self.run_program(*command).err)
-                    self.assertEqual(self.run_program(*command).returncode, code)
+                    done = self.run_program(*command)
+                    self.assertIn(words, done.err)
+                    self.assertEqual(done.returncode, code)
 
         both(0, "", {"texture": "leaf.png", "alpha": "cut"})
         both(2, "needs a material with \"alpha\": \"cut\" or \"blend\"", {"texture": "leaf.png"})

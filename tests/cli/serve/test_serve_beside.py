@@ -5,7 +5,7 @@ import os
 import unittest
 
 from common import PROGRAM, SCENE, with_values
-from serve_client import files_of
+from serve_client import Server, files_of
 from serve_case import FIELD, ServeCase
 
 os.environ.setdefault("SIMREEL", PROGRAM)
@@ -56,6 +56,12 @@ class TwoSides(ServeCase):
         self.shows(viewer, 2, left + view + ["-D", f"{DAMPING}=1"], right + view)
         self.assertEqual(viewer.latest["scene"]["beside"]["edits"], [[DAMPING, "3"]])
         self.in_step(viewer)
+
+    def test_a_wrong_value_of_the_right_side_is_named_in_the_terminal(self):
+        """Takes 1 s."""
+        server = Server(self.folder / "scene.json", "--beside", "objects.flag.cloth.dampling=3", cwd=self.folder)
+        self.addCleanup(server.stop)
+        self.assertIn('--beside objects.flag.cloth.dampling=3: error: unknown key "dampling"; did you mean "damping"?', server.stop()[2])
 
     def test_both_sides_stay_in_step_while_they_play(self):
         server = self.serve("--beside", "objects.flag.cloth.substeps=200")

@@ -184,6 +184,14 @@ TEST_CASE("video: a missing or dying ffmpeg is a one-line error and never a hang
                  "No space left"));
   CHECK(contains(withFakeFfmpeg("cat >/dev/null; echo Conversion failed >&2; exit 1").second,
                  "Conversion failed"));
+  // A full disk gets the program's own sentence, which names the video and not ffmpeg's temporary file.
+  const std::string full =
+      withFakeFfmpeg(
+          "cat >/dev/null; echo trailer of file:v.part.mp4: No space left on device >&2; "
+          "echo Conversion failed >&2; exit 1")
+          .second;
+  CHECK(full.starts_with("cannot write "));
+  CHECK(contains(full, "/v.mp4: No space left on device; make room there"));
   CHECK(contains(withFakeFfmpeg("kill -SEGV $$").second, "signal 11 (SIGSEGV)"));
   CHECK(contains(withFakeFfmpeg("kill -KILL $$").second, "was ended by signal 9 (SIGKILL)"));
   CHECK(contains(withFakeFfmpeg("exit 0").second, "before the video was complete"));
