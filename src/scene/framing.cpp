@@ -1,6 +1,8 @@
 #include "scene/framing.hpp"
 
 #include "base/ieee.hpp"
+#include "scene/beside.hpp"
+#include "scene/covering.hpp"
 #include "scene/drawn_on.hpp"
 #include "scene/framed_in_part.hpp"
 #include "scene/outline.hpp"
@@ -266,14 +268,36 @@ glm::vec3 stageBack(const Box& box) {
   return glm::normalize(glm::vec3(-0.62F, 0.8F - 0.42F * height, 1));
 }
 
+glm::vec2 roomBeside(const Scene& scene) {
+  glm::vec2 room(0);
+  if (!scene.panels.empty()) return room;
+  for (const Object& object : scene.objects)
+    if (const auto* takes = dynamic_cast<const TakesRoom*>(object.parameters.get()))
+      room = glm::max(room, takes->room());
+  return room;
+}
+
+void makeRoom(Scene& scene) {
+  const glm::vec2 room = roomBeside(scene);
+  if (room == glm::vec2(0)) return;
+  for (Object& object : scene.objects)
+    if (auto* field = dynamic_cast<Covering*>(object.parameters.get()))
+      if (field->covering() == Covering::Extent::whole) field->leaveRoom(room);
+}
+
 void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   Camera& camera = scene.camera;
   if (camera.placed || framed.empty()) return;
   if (camera.orbit) return frameOrbit(scene, framed);
   if (scene.staged && !camera.hasAngle) camera.fieldOfView = stageLens;
   const Box box = boxAround(framed);
-  const ViewAxes look = lookFrom(scene.staged ? stageBack(box) : backFrom(box), scene);
+  ViewAxes look = lookFrom(scene.staged ? stageBack(box) : backFrom(box), scene);
   const std::optional<glm::vec3> aim = aimPoint(scene);
+  const glm::vec2 room = aim ? glm::vec2(0) : roomBeside(scene);
+  // Distance, per metre of distance from the eye, by which the picture's centre is beside the free area's.
+  const glm::vec2 aside = room * glm::vec2(look.wide, look.high) / filledFraction(scene);
+  look.wide *= 1 - room.x;
+  look.high *= 1 - room.y;
   glm::vec3 target = aim.value_or(0.5F * (box.min + box.max));
   std::vector<glm::vec3> points;
   if (scene.staged || hasPoints(framed)) {
@@ -285,6 +309,7 @@ void frameObjects(Scene& scene, const std::vector<Framed>& framed) {
   float nearest = 0;  // largest extent of the points from the target towards the camera, in metres
   for (const glm::vec3& point : points) nearest = std::max(nearest, glm::dot(point - target, look.back));
   const float distance = distanceOf(look, target, points);
+  if (room != glm::vec2(0)) target += distance * (aside.x * look.right - aside.y * look.up);
   if (!camera.aimed) camera.target = target;
   camera.position = target + distance * look.back;
   matchViewHeight(camera, distance);

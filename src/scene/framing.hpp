@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 namespace simreel::scene {
 
 /// Extent of an object that an automatically placed camera must show.
@@ -25,9 +27,16 @@ struct Framed {
 /// other.
 void setApart(Scene& scene);
 
+/// Returns the widths of the strips at the right and at the bottom, as fractions of the picture, that
+/// objects over the picture need (TakesRoom). Returns 0 for a picture of panels.
+[[nodiscard]] glm::vec2 roomBeside(const Scene& scene);
+/// Draws the fields that cover the picture beside the objects that need room.
+void makeRoom(Scene& scene);
+
 /// If the scene does not place its camera, places it so that all extents are in view with a margin. Flat
 /// scenes are seen from the front and above, tall scenes almost level and slightly from the side. On a
-/// stage, the camera looks diagonally through a longer lens, and the visible extent is centred.
+/// stage, the camera looks diagonally through a longer lens, and the visible extent is centred. A camera
+/// that stands still and has no target leaves roomBeside() free.
 void frameObjects(Scene& scene, const std::vector<Framed>& framed);
 
 /// Returns the unit vector from the objects on a stage to the camera.

@@ -6,6 +6,7 @@
 #include "scene/fitted.hpp"
 #include "scene/framing.hpp"
 #include "scene/hidden.hpp"
+#include "scene/idle_keys.hpp"
 #include "scene/json/json_node.hpp"
 #include "scene/json/scene_error.hpp"
 #include "scene/json/words.hpp"
@@ -207,7 +208,8 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
   // The length of a scene with errors is not reliable. In that case test frames are not checked against it.
   const bool lengthKnown = heldToLength && context.diagnostics.count() == errorsBefore;
   const Node* objects = fields.consume("objects");
-  if (objects != nullptr) readObjects(*objects, context, kinds, scene.objects);
+  const bool hasGround = scene.ground && scene.ground->solid;
+  if (objects != nullptr) readObjects(*objects, context, kinds, hasGround, scene.objects);
   // Unknown object names are reported even if the scene has other errors.
   const bool namesKnown = objects == nullptr || (objects->kind == Node::Kind::object &&
                                                  objects->children.size() == scene.objects.size());
@@ -215,6 +217,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     for (Object& object : scene.objects)
       if (auto* fitted = dynamic_cast<Fitted*>(object.parameters.get()))
         fitted->fitPicture(viewSize(scene));
+  if (context.diagnostics.count() == errorsBefore) makeRoom(scene);
   const Node* time = root.find("time");
   if (*version > 1 && context.diagnostics.count() == errorsBefore &&
       (time == nullptr || time->find("start") == nullptr))
@@ -237,6 +240,7 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     frameObjects(scene, framed);
     openFloor(scene);
     warnHidden(root, scene, context.diagnostics);
+    warnIdleKeys(root, scene, context.diagnostics);
   }
   fields.idleUnless(scene.render.quality == Quality::standard, "render.quality", {"render.occlusionRadius"},
                     "\"quality\": \"standard\"");

@@ -112,7 +112,8 @@ PathEnd endOf(const Node& object, const std::vector<std::string>& path) {
 
 }  // namespace
 
-void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std::vector<Object>& objects) {
+void readObjects(const Node& node, ReadContext context, const Kinds& kinds, bool hasGround,
+                 std::vector<Object>& objects) {
   if (!ValueReader("", context.diagnostics)
            .expect(node, Node::Kind::object, "objects by name, such as {\"ball\": {\"sphere\": {}}}"))
     return;
@@ -128,7 +129,7 @@ void readObjects(const Node& node, ReadContext context, const Kinds& kinds, std:
   }
   if (context.version > 1) keepStateColors(node, objects);
   if (!kinds.check) return;
-  kinds.check(objects,
+  kinds.check(objects, hasGround,
               [&](const Object& object, const std::vector<std::string>& path, const std::string& message) {
                 const auto i = static_cast<std::size_t>(&object - objects.data());
                 const PathEnd end = endOf(node.children[i], path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -44,6 +45,39 @@ std::vector<glm::vec3> outermost(std::span<const glm::vec3> points, double stray
       return a.first != b.first ? a.first > b.first : comesFirst(*a.second, *b.second);
     });
     found.push_back(*wanted->second + beyond * way);
+  }
+  return found;
+}
+
+std::vector<glm::vec3> outermostOfBalls(std::span<const glm::vec4> balls, double stray) {
+  std::vector<glm::vec3> found;
+  if (balls.empty()) return found;
+  const auto skipped =
+      std::min(static_cast<std::size_t>(stray * static_cast<double>(balls.size())), balls.size() - 1);
+  std::vector<float> radii;
+  radii.reserve(balls.size());
+  for (const glm::vec4& ball : balls) radii.push_back(ball.w);
+  const auto limit = radii.begin() + static_cast<std::ptrdiff_t>(skipped);
+  std::nth_element(radii.begin(), limit, radii.end(), std::greater<>());
+  // Large balls first, because none of them is skipped. At most `skipped` balls are large.
+  std::vector<glm::vec4> sorted(balls.begin(), balls.end());
+  const auto small =
+      std::partition(sorted.begin(), sorted.end(), [&](const glm::vec4& ball) { return ball.w > *limit; });
+  const auto large = static_cast<std::size_t>(small - sorted.begin());
+  std::vector<std::pair<float, glm::vec3>> ranks(sorted.size());
+  const auto farther = [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : comesFirst(a.second, b.second);
+  };
+  for (const glm::vec3& way : directions()) {
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      const glm::vec3 centre(sorted[i]);
+      ranks[i] = {glm::dot(centre, way) + sorted[i].w, centre + sorted[i].w * way};
+    }
+    const auto first = ranks.begin() + static_cast<std::ptrdiff_t>(large);
+    const auto wanted = first + static_cast<std::ptrdiff_t>(std::min(skipped, sorted.size() - large - 1));
+    std::nth_element(first, wanted, ranks.end(), farther);
+    const auto largest = std::min_element(ranks.begin(), first, farther);
+    found.push_back(largest != first && farther(*largest, *wanted) ? largest->second : wanted->second);
   }
   return found;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace simreel::scene {
 
@@ -23,5 +24,9 @@ class Outlined {
 /// empty list if there are no points.
 [[nodiscard]] std::vector<glm::vec3> outermost(std::span<const glm::vec3> points, double stray = 0,
                                                float beyond = 0);
+
+/// Like outermost() for balls: returns points on their surfaces. xyz: centre, w: radius in metres. Balls
+/// that are larger than the fraction 1 - `stray` of all balls are never skipped.
+[[nodiscard]] std::vector<glm::vec3> outermostOfBalls(std::span<const glm::vec4> balls, double stray = 0);
 
 }  // namespace simreel::scene

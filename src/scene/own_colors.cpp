@@ -3,6 +3,7 @@
 #include "scene/covering.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -11,12 +12,16 @@ namespace simreel::scene {
 void remarkColors(const Node& node, const Object& object, Diagnostics& diagnostics) {
   const auto* colored = dynamic_cast<const HasOwnColors*>(object.parameters.get());
   const char* const by = colored == nullptr ? nullptr : colored->coloredBy();
-  if (by == nullptr || object.material.skin) return;
-  if (!object.materialKeys.contains("color")) return;
-  diagnostics.remark(
-      node.find("material")->find("color")->headPlace(),
-      fmt::format("\"{}\" has the colours of {}; here \"color\" of the material does nothing", object.name,
-                  by));
+  if (by == nullptr) return;
+  const bool all = colored->replacesTextures();
+  if (object.material.skin && !all) return;
+  for (const char* key : {"color", "texture", "skin"}) {
+    if (!all && std::string_view(key) != "color") return;
+    if (!object.materialKeys.contains(key)) continue;
+    diagnostics.remark(node.find("material")->find(key)->headPlace(),
+                       fmt::format("\"{}\" has the colours of {}; here \"{}\" of the material does nothing",
+                                   object.name, by, key));
+  }
 }
 
 void keepStateColors(const Node& node, std::span<Object> objects) {

@@ -14,9 +14,11 @@ class HasOwnColors {
   /// Returns the source of the object's colours for messages, such as: its "map". The material's colour
   /// then has no effect. Returns nullptr if the material colours the object.
   [[nodiscard]] virtual const char* coloredBy() const = 0;
+  /// True if these colours replace the material's texture and skin, too.
+  [[nodiscard]] virtual bool replacesTextures() const { return false; }
 };
 
-/// Warns about the colour of the material of an object that has colours of its own. `node`: the object's
+/// Warns about the colour, texture and skin that the colours of an object replace. `node`: the object's
 /// JSON node.
 void remarkColors(const Node& node, const Object& object, Diagnostics& diagnostics);
 

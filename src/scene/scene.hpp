@@ -332,11 +332,11 @@ using Report = std::function<void(const Object& object, const std::vector<std::s
                                   const std::string& message)>;
 
 /// All kinds of objects, and checks that involve several objects. `check` receives all objects, including
-/// those with errors, whose parameters may be null. Errors that `check` reports about values that already
-/// have errors are dropped.
+/// those with errors, whose parameters may be null, and whether the scene has a ground that collides.
+/// Errors that `check` reports about values that already have errors are dropped.
 struct Kinds {
   std::span<const Kind> list;
-  std::function<void(std::span<const Object>, const Report&)> check = {};
+  std::function<void(std::span<const Object>, bool hasGround, const Report&)> check = {};
   /// Reads the file of a camera. Throws UserError; its code is `usage` if the scene's settings do not suit
   /// the file.
   std::function<std::shared_ptr<const CameraShot>(const CameraFile&)> openCamera = {};

@@ -165,8 +165,7 @@ class Arrows : public Simulation, public HasShownSpeeds, public HasColorScale {
   }
   void planPoints() {
     SIMREEL_CHECK(points_ != nullptr);
-    part_.longest =
-        static_cast<float>(parameters_.length.value_or(8.0 * static_cast<double>(points_->size)));
+    part_.longest = parameters_.lengthAt(points_->size);
     count_ = (points_->count + parameters_.every - 1) / parameters_.every;
     planRange(points_->speed, ArrowParameters::Anchor::tail);
   }

@@ -7,6 +7,7 @@
 #include "sim/ports/moving_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace simreel::sim {
@@ -33,7 +34,9 @@ void ArrowParameters::describe(scene::Fields& f) {
   f.integer("every", every, {1, 1 << 24}, "", "Draws the arrow of every n-th particle.");
   f.optionalNumber("length", length, {1e-4, 1e4}, "m",
                    "Greatest length of an arrow; arrows of faster flow have this length, too.");
-  f.leftOut("length", "\"spacing\", so that arrows do not overlap; of particles, 8 times their size");
+  f.leftOut("length",
+            "\"spacing\", so that arrows do not overlap; of particles, 8 times their size, "
+            "in version 2 times the square root of \"every\"");
   f.optionalNumber("scale", scale, {1e-6, 1e6}, "s", "Length in metres of an arrow of 1 m/s.");
   f.leftOut("scale", "\"length\" at the speed \"high\"");
   describeColors(f, colors);
@@ -49,8 +52,13 @@ void ArrowParameters::describe(scene::Fields& f) {
                    "Distance of the arrows in front of the source's rectangle.");
   f.leftOut("height", "0.15 times \"length\"");
   f.boolean("sheet", sheet, "Draws the source's rectangle behind the arrows, in the colours of its field.");
-  frames = f.version() > 1;
+  frames = widens = f.version() > 1;
   if (of.empty()) f.error("of", "whose velocities? Give \"of\", the name of a fluid, a flow or particles");
+}
+
+float ArrowParameters::lengthAt(float diameter) const {
+  const double factor = widens ? std::sqrt(static_cast<double>(every)) : 1.0;
+  return static_cast<float>(length.value_or(8.0 * static_cast<double>(diameter) * factor));
 }
 
 void ArrowParameters::ports(Ports& ports) const {

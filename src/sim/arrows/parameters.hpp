@@ -4,6 +4,7 @@
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/flow/speed_range.hpp"
+#include "sim/ports/color_scale.hpp"
 
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct ArrowSource {
 /// Parameters of the object kind "arrows".
 struct ArrowParameters : ObjectParameters,
                          HasColorRange,
+                         ShowsQuantity,
                          ShowsSpeedsOf,
                          scene::HasFieldSkin,
                          scene::HasOwnColors {
@@ -41,14 +43,20 @@ struct ArrowParameters : ObjectParameters,
                                   ///< on a grid and the tail at points
   std::optional<double> height;   ///< distance from the source's plane in metres; if empty, 0.15 times
                                   ///< `length`
-  bool frames = false;            ///< true since version 2: a camera shows the source's rectangle
-  bool sheet = false;             ///< true to draw the source's field below the arrows
+  bool widens = false;  ///< true since version 2: the default length at points is multiplied by the
+                        ///< square root of `every`, because the distances of the arrows in a picture
+                        ///< grow by this factor
+  bool frames = false;  ///< true since version 2: a camera shows the source's rectangle
+  bool sheet = false;   ///< true to draw the source's field below the arrows
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
+  /// Returns the maximum length of arrows at points of this diameter, in metres.
+  [[nodiscard]] float lengthAt(float diameter) const;
   [[nodiscard]] const char* coloredBy() const override {
     return colors.empty() ? nullptr : "its \"colors\"";
   }
+  [[nodiscard]] ShownQuantity shownQuantity() const override { return {"speed", "m/s"}; }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return speeds.measured(); }
   [[nodiscard]] const std::string& source() const override { return of; }
   [[nodiscard]] bool framesSource() const override { return frames; }

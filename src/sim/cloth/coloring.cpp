@@ -58,9 +58,6 @@ std::vector<MeasuredRange> ClothColoring::measuredRanges() {
 }
 
 scene::Material ClothColoring::materialOf(const scene::Object& object) {
-  for (const char* key : {"texture", "skin"})  // HasOwnColors reports the colour.
-    if (object.materialKeys.contains(key))
-      warn("cloth \"{}\": \"colorBy\" replaces the \"{}\" of its material", object.name, key);
   scene::Material material = object.material;
   material.color = glm::vec3(1);
   material.texture.clear();

@@ -27,7 +27,7 @@ struct ClothColoring {
   [[nodiscard]] bool used() const { return by != By::material; }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges();
   /// Returns the object's material, white and without textures, so that the colour map shows its true
-  /// colours. Warns if the scene gives a colour, texture or skin.
+  /// colours. scene::HasOwnColors warns if the scene gives a colour, texture or skin.
   [[nodiscard]] static scene::Material materialOf(const scene::Object& object);
 };
 

@@ -7,6 +7,7 @@
 #include "sim/cloth/mesh_source.hpp"
 #include "sim/collide/mesh_colliders.hpp"
 #include "sim/core/kind.hpp"
+#include "sim/ports/color_scale.hpp"
 
 #include <optional>
 #include <string>
@@ -78,6 +79,7 @@ struct Seam {
 
 struct ClothParameters : ObjectParameters,
                          HasColorRange,
+                         ShowsQuantity,
                          scene::HasFinish,
                          scene::HasOwnColors,
                          TouchesMeshes,
@@ -117,6 +119,12 @@ struct ClothParameters : ObjectParameters,
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return coloring.measuredRanges(); }
   [[nodiscard]] const char* coloredBy() const override {
     return coloring.used() ? "its \"colorBy\"" : nullptr;
+  }
+  [[nodiscard]] bool replacesTextures() const override { return coloring.used(); }
+  [[nodiscard]] ShownQuantity shownQuantity() const override {
+    using By = ClothColoring::By;
+    if (coloring.by == By::speed) return {"speed", "m/s"};
+    return {coloring.by == By::strain ? "strain" : ""};
   }
   [[nodiscard]] double touchMargin() const override {
     return margin + (fabric ? 0.5F * fabric->constants().thickness : 0);

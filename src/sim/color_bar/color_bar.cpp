@@ -26,17 +26,26 @@ namespace {
 constexpr int rampCells = 256;
 constexpr int maxUnnamed = 16;  // maximum number of categories that are shown without labels
 
-std::string headingOf(const ColorBarParameters& parameters) {
-  return parameters.unit.empty() ? parameters.title
-                                 : fmt::format("{} ({})", parameters.title, parameters.unit);
+/// Returns the title and the unit. A title that the scene leaves out is the quantity that the colours show,
+/// or the name of the object.
+std::string headingOf(const ColorBarParameters& parameters, const Links* links) {
+  std::string title = parameters.title, unit = parameters.unit;
+  if (title.empty()) {
+    const ShownQuantity shown =
+        links == nullptr ? ShownQuantity{""} : shownQuantityOf(*links, parameters.of);
+    const bool known = shown.name[0] != '\0';
+    title = known ? shown.name : parameters.of;
+    if (unit.empty() && known) unit = shown.unit;
+  }
+  return unit.empty() ? title : fmt::format("{} ({})", title, unit);
 }
 
 /// Throws UserError(usage) for characters that the font does not have.
-void checkBar(const scene::Object& object, const Setting& /*setting*/) {
+void checkBar(const scene::Object& object, const Setting& setting) {
   const auto& parameters = parametersOf<ColorBarParameters>(object);
   const Font font(parameters.fontFile());
   try {
-    checkWritable(font, headingOf(parameters));
+    checkWritable(font, headingOf(parameters, setting.links));
     for (const BarLabel& label : parameters.labels) checkWritable(font, label.text);
   } catch (const UserError& error) {
     fail(error.code(), "colorBar \"{}\": {}", object.name, error.what());
@@ -197,7 +206,7 @@ class ColorBar : public Simulation {
                  : TextAnchor{TextAnchor::Across::left, TextAnchor::Down::middle},
           label);
     }
-    add(headingOf(parameters_), {TextAnchor::Across::left, TextAnchor::Down::baseline}, {0, 1});
+    add(headingOf(parameters_, links_), {TextAnchor::Across::left, TextAnchor::Down::baseline}, {0, 1});
     glm::vec2 low(0, -bar.y), high(bar.x, 0);
     for (const auto& polygon : outlines_)
       for (const glm::vec2& point : polygon) {

@@ -17,8 +17,9 @@ void ColorBarParameters::describe(scene::Fields& f) {
       "Object whose colours it explains: a field, NAME or NAME.PART, or particles, a cloth or the points "
       "of kernels with \"colorBy\".");
   f.text("title", title, "Text above the bar.");
-  f.leftOut("title", "the value of \"of\"");
+  f.leftOut("title", "the value of \"of\"; in version 2 the quantity, such as speed, where it is known");
   f.text("unit", unit, "Unit of the numbers, after the title.");
+  f.leftOut("unit", "none; in version 2 without a \"title\" the quantity's");
   f.shorthand("labels", "text");
   f.list("labels", labels,
          "Words in place of numbers, each at its value; for a field of categories, the categories to show.",
@@ -36,7 +37,8 @@ void ColorBarParameters::describe(scene::Fields& f) {
            "Top left corner of the bar as fractions of the picture, [x, y, 0].");
   f.leftOut(
       "corner",
-      "[0.88, 0.22, 0], or [0.3, 0.88, 0] if horizontal, moved so that the numbers stay in the picture");
+      "[0.88, 0.22, 0], or [0.3, 0.88, 0] if horizontal, moved so that the numbers stay in the picture; in "
+      "version 2 fields and the automatic camera leave room for it");
   f.vector("extent", extent, {0, 10}, "",
            "Width and height of the bar as fractions of the picture, [x, y, 0].");
   f.leftOut("extent", "[0.02, 0.56, 0], or [0.4, 0.025, 0] if horizontal");
@@ -52,10 +54,18 @@ void ColorBarParameters::describe(scene::Fields& f) {
   if (horizontal && !placed) corner = {0.3F, 0.88F, 0};
   if (!(extent.x > 0 && extent.y > 0)) f.error("extent", "\"extent\" needs a width and a height above 0");
   if (horizontal && !f.given("extent")) extent = {0.4F, 0.025F, 0};
-  if (title.empty()) title = of;
+  keepsRoom = f.version() > 1;
+  if (title.empty() && !keepsRoom) title = of;
   if (of.empty()) f.error("of", "whose colours? Give \"of\", the name of a field, particles or cloth");
   for (const std::string* text : {&title, &unit})
     if (!isUtf8(*text)) f.error(text == &unit ? "unit" : "title", "the text is not UTF-8");
+}
+
+glm::vec2 ColorBarParameters::room() const {
+  // From the left end of the bar's panel to the right end of the picture, or from its top to the bottom.
+  constexpr float atRight = 0.14F, atBottom = 0.19F;
+  if (!keepsRoom || placed) return glm::vec2(0);
+  return horizontal ? glm::vec2(0, atBottom) : glm::vec2(atRight, 0);
 }
 
 std::filesystem::path ColorBarParameters::fontFile() const {

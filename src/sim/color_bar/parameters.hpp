@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/beside.hpp"
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 
@@ -25,9 +26,9 @@ struct BarLabel {
 };
 
 /// Parameters of the object kind "colorBar".
-struct ColorBarParameters : ObjectParameters {
+struct ColorBarParameters : ObjectParameters, scene::TakesRoom {
   std::string of;                ///< name of a field or of particles, OBJECT or OBJECT.PART
-  std::string title;             ///< text above the bar
+  std::string title;             ///< text above the bar; if empty, the quantity that the colours show
   std::string unit;              ///< appended to the title in parentheses
   std::vector<BarLabel> labels;  ///< words shown in place of numbers; if empty, numbers or all categories
                                  ///< are shown
@@ -35,6 +36,7 @@ struct ColorBarParameters : ObjectParameters {
   bool horizontal = false;
   bool placed = false;  ///< true if the scene gives the corner; otherwise the bar is moved so that it stays
                         ///< in the picture
+  bool keepsRoom = false;  ///< true since version 2: nothing else is drawn behind a bar without a corner
   glm::vec3 corner{0.88F, 0.22F, 0};  ///< top left corner of the bar, as fractions of the picture
   glm::vec3 extent{0.02F, 0.56F, 0};  ///< width and height of the bar, as fractions of the picture
   float height = 0.02F;               ///< height of capitals, as a fraction of the picture's height
@@ -45,6 +47,7 @@ struct ColorBarParameters : ObjectParameters {
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
   [[nodiscard]] std::filesystem::path fontFile() const;
+  [[nodiscard]] glm::vec2 room() const override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"color\""; }
 };
 

@@ -45,8 +45,7 @@ struct PortInfo {
   const char* single = nullptr;
   /// Message for a provider that no object of the scene uses; null if a provider may be unused.
   const char* unused = nullptr;
-  /// Message for an object that takes from all providers and requires at least one, when none exists. The
-  /// two {} are the object's name and kind.
+  /// Message for an object that takes from all providers and requires at least one, when none exists.
   const char* missing = nullptr;
   /// Warning for an object that takes from all providers, about another object that could provide the port
   /// but does not. The two {} are the names of both objects.
@@ -108,10 +107,15 @@ class Ports {
   void requireFrom(const std::string& name, std::vector<std::string> path, When when = T::port.when) {
     wants.push_back({&T::port, name, std::move(path), when});
   }
-  /// Takes T from every object that provides it. If `needed` is true, at least one provider is required.
+  /// Takes T from every object that provides it.
   template <class T>
-  void wantAll(bool needed = false) {
-    wants.push_back({&T::port, {}, {}, T::port.when, true, needed});
+  void wantAll() {
+    wants.push_back({&T::port, {}, {}, T::port.when, true, false});
+  }
+  /// Takes T from every object that provides it. A scene without such an object is an error at `path`.
+  template <class T>
+  void requireAny(std::vector<std::string> path) {
+    wants.push_back({&T::port, {}, std::move(path), T::port.when, true, true});
   }
   /// Makes the object step together with all other objects that join T. The group exists only if at least
   /// one member has `leads` set.

@@ -4,6 +4,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/flow/file.hpp"
 #include "sim/fluid/wind.hpp"
+#include "sim/ports/color_scale.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -14,7 +15,7 @@
 namespace simreel::sim {
 
 /// Parameters of the object kind "flow": velocities that are constant in time.
-struct FlowParameters : ObjectParameters, scene::HasFieldSkin {
+struct FlowParameters : ObjectParameters, ShowsQuantity, scene::HasFieldSkin {
   enum class Rows { down, up };
   enum class Show { speed, none };
   std::filesystem::path file;  ///< npy or CSV file of velocities; if empty, `u` and `v` are used
@@ -37,6 +38,7 @@ struct FlowParameters : ObjectParameters, scene::HasFieldSkin {
   [[nodiscard]] std::string fieldShown(const std::string& object) const override {
     return show == Show::none ? "" : object;
   }
+  [[nodiscard]] ShownQuantity shownQuantity() const override { return {"speed", "m/s"}; }
   [[nodiscard]] std::optional<scene::Box> framed() const override;
   [[nodiscard]] std::optional<scene::Box> framedAlone() const override;
   /// Returns the velocities. Throws UserError (inputOutput or usage) for files that cannot be used.

@@ -94,6 +94,21 @@ FluidParameters::FluidParameters() {
   strokes = standardStrokes(size, false);
 }
 
+ShownQuantity FluidParameters::shownQuantity() const {
+  switch (show) {
+    case Show::speed:
+      return {"speed", "cells/s"};
+    case Show::vorticity:
+      return {"vorticity", "1/s"};
+    case Show::temperature:
+      return {"temperature"};
+    case Show::pressure:
+      return {"pressure", "cells^2/s^2"};
+    default:
+      return {""};
+  }
+}
+
 void FluidParameters::fitPicture(glm::ivec2 picture) {
   size = display.fittedGrid(size, picture);
   if (!ownStrokes) strokes = standardStrokes(size, true);
@@ -132,8 +147,9 @@ void FluidParameters::describe(scene::Fields& f) {
            "or by cubic interpolation with a limiter.");
   f.number("viscosity", viscosity, {0, 1e6}, "cells^2/s", "Kinematic viscosity of the fluid.");
   f.number("confinement", confinement, {0, 1e4}, "1/s",
-           "Force that keeps up vortices of the size of cells; it fades beyond half of \"speed\" and ends "
-           "at \"speed\".");
+           "Force that keeps up vortices of the size of cells, which grow at about this rate: 1 to 5 for "
+           "smoke, and from about 10 on smoke frays. It fades beyond half of \"speed\" and ends at "
+           "\"speed\".");
   f.number("lift", lift, {-1e5, 1e5}, "cells/s^2", "Acceleration, up the picture, of a temperature of 1.");
   f.number("cooling", cooling, {0, 1e3}, "1/s", "Rate at which temperature falls to 0.");
   f.number("dyeWeight", dyeWeight, {-1e5, 1e5}, "cells/s^2",

@@ -7,6 +7,7 @@
 #include "sim/fluid/wind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
+#include "sim/ports/color_scale.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -61,7 +62,7 @@ struct FluidStroke : StrokeParameters {
 
 /// Scene parameters of a fluid: incompressible flow. Lengths are in cells; y and v point down in the
 /// picture.
-struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering, scene::Fitted {
+struct FluidParameters : ObjectParameters, HasColorRange, ShowsQuantity, scene::Covering, scene::Fitted {
   enum class Advection {
     macCormack,
     semiLagrangian,
@@ -107,10 +108,12 @@ struct FluidParameters : ObjectParameters, HasColorRange, scene::Covering, scene
   void fitPicture(glm::ivec2 picture) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  [[nodiscard]] ShownQuantity shownQuantity() const override;
   [[nodiscard]] std::optional<scene::Box> framedAlone() const override {
     if (display.layer != FieldDisplay::Layer::none) return std::nullopt;
     return boxOfPlane(plane, size);
   }
+  void leaveRoom(glm::vec2 room) override { display.room = room; }
   [[nodiscard]] Extent covering() const override { return display.covering(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t minLargestBufferBytes() const override {

@@ -23,6 +23,9 @@ struct FieldDisplay {
   Fit fit = Fit::cover;
   glm::vec3 corner{0, 0, 0};  ///< Top left corner, as fractions of the picture.
   glm::vec3 extent{1, 1, 0};  ///< Width and height, as fractions of the picture.
+  /// Strips at the right and at the bottom of the field's part of the picture, as fractions of the picture.
+  /// A field whose fit is `contain` does not reach them.
+  glm::vec2 room{0};
   scene::Animated<glm::vec3> center =
       glm::vec3(0.5F);  ///< Point of the field at the centre of the panel, as fractions of the field.
   scene::Animated<float> zoom = 1.0F;

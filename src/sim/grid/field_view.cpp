@@ -25,7 +25,10 @@ FieldView fieldView(const FieldDisplay& display, glm::ivec2 cells, glm::ivec2 pi
   const glm::dvec2 end =
       glm::round(glm::dvec2(display.corner + display.extent) * whole) - glm::dvec2(0, margin.y);
   const glm::dvec2 extent = glm::max(end - corner, 1.0);
-  const glm::dvec2 each = extent / glm::dvec2(cells);  // pixels per cell along x and y
+  glm::dvec2 free = extent;  // size in pixels of the area that the field may fill
+  if (display.fit == FieldDisplay::Fit::contain)
+    free = glm::max(extent - glm::round(glm::dvec2(display.room) * whole), 1.0);
+  const glm::dvec2 each = free / glm::dvec2(cells);  // pixels per cell along x and y
   glm::dvec2 scale = each;
   if (display.fit == FieldDisplay::Fit::contain) scale = glm::dvec2(std::min(each.x, each.y));
   if (display.fit == FieldDisplay::Fit::cover) scale = glm::dvec2(std::max(each.x, each.y));
@@ -36,7 +39,7 @@ FieldView fieldView(const FieldDisplay& display, glm::ivec2 cells, glm::ivec2 pi
   view.perPixel = 1.0 / scale;
   // Pixel position of the corner of cell (0, 0). It is rounded if the view does not move and the
   // magnification is an integer.
-  glm::dvec2 first = corner + 0.5 * extent - center * scale;
+  glm::dvec2 first = corner + 0.5 * free - center * scale;
   if (!display.zoom.moves() && !display.center.moves())
     for (int i = 0; i < 2; ++i)
       if (std::abs(scale[i] - std::round(scale[i])) < 1e-6 && scale[i] > 0.5)

@@ -80,6 +80,7 @@ struct ImageParameters : KernelsParameters {
     wantFields(ports, image, {});
   }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  void leaveRoom(glm::vec2 room) override { display.room = room; }
   [[nodiscard]] Extent covering() const override { return display.covering(); }
   /// An image computes its colours, so it has no colour range.
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return {}; }

@@ -53,6 +53,7 @@ struct LifeParameters : ObjectParameters, HasColorRange, scene::Covering, scene:
   }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] const char* drawnWith() const override { return "its \"display\""; }
+  void leaveRoom(glm::vec2 room) override { display.room = room; }
   [[nodiscard]] Extent covering() const override { return display.covering(); }
   [[nodiscard]] bool hasStates() const override { return true; }
   void ports(Ports& ports) const override;

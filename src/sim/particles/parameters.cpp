@@ -1,15 +1,11 @@
 #include "sim/particles/parameters.hpp"
 
-#include "base/error.hpp"
 #include "scene/value/implied_shape.hpp"
 #include "sim/contact/lock_step.hpp"
 #include "sim/contour/walls.hpp"
 #include "sim/fluid/wind.hpp"
 #include "sim/grid/color_choice.hpp"
 #include "sim/mesh/height_field.hpp"
-#include "sim/particles/file.hpp"
-#include "sim/particles/plan.hpp"
-#include "sim/particles/start.hpp"
 #include "sim/ports/color_scale.hpp"
 #include "sim/ports/markers.hpp"
 #include "sim/ports/moving_points.hpp"
@@ -25,53 +21,8 @@ namespace simreel::sim {
 
 namespace {
 
-/// Radius, in scale lengths, that contains most of a Plummer sphere or a disk.
-constexpr float scaleLengths = 3.0F;
-
 /// Greatest a dt^2 and v dt of "auto" substeps, as fractions of a ball's radius.
 constexpr double overlapOfStep = 1.75e-4, wayOfStep = 0.3;
-
-void includeBall(std::optional<scene::Box>& box, const glm::vec3& middle, const glm::vec3& half) {
-  scene::include(box, middle - half);
-  scene::include(box, middle + half);
-}
-
-void includeFile(std::optional<scene::Box>& box, const ParticleGroup& group) {
-  constexpr int maximum = 1 << 24;
-  try {
-    ParticleCloud cloud = readParticles(group.file, group.totalMass, maximum);
-    placeGroup(cloud, group);
-    for (const glm::vec4& particle : cloud.positions) scene::include(box, glm::vec3(particle));
-  } catch (const UserError&) {  // The constructor of the simulation reports this error.
-  }
-}
-
-/// Extends the box by the initial extent of a group. The group's later motion is unpredictable.
-void includeGroup(std::optional<scene::Box>& box, const ParticleGroup& group) {
-  using Shape = ParticleGroup::Shape;
-  if (group.shape == Shape::file) return includeFile(box, group);
-  const bool open = group.shape == Shape::plummer || group.shape == Shape::disk;
-  const float radius = group.radius * (open ? scaleLengths : 1.0F);
-  glm::vec3 half(radius);
-  if (group.shape == Shape::disk && group.rotation == glm::vec3(0))
-    half.y = radius * std::min(group.thickness * scaleLengths, 1.0F);
-  includeBall(box, group.position, half);
-}
-
-/// Extends the box by the flight of the particles over one lifetime, without damping and attraction, and by
-/// the widening of their velocity cone.
-void includeEmitter(std::optional<scene::Box>& box, const Emitter& emitter, const glm::vec3& acceleration) {
-  constexpr int looks = 16;
-  const float spreadAngle = std::min(emitter.spread / 57.29578F, 1.0F);
-  for (const auto& key : emitter.position.keys()) {
-    const glm::vec3 velocity = emitter.velocity.at(key.time);
-    for (int i = 0; i <= looks; ++i) {
-      const float t = emitter.lifetime * static_cast<float>(i) / looks;
-      includeBall(box, key.value + velocity * t + acceleration * (0.5F * t * t),
-                  glm::vec3(emitter.radius + 0.7F * spreadAngle * glm::length(velocity) * t));
-    }
-  }
-}
 
 /// Returns the group of a scene without groups and emitters.
 ParticleGroup galaxy() {
@@ -289,6 +240,13 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   if (additive) l.idleUnless(!emitters.empty(), "fade", {"fade"}, "particles of \"emitters\"");
 }
 
+ShownQuantity ParticleParameters::shownQuantity() const {
+  using By = Instances::ColorBy;
+  if (colorBy == By::speed) return {"speed", "m/s"};
+  if (colorBy == By::mass) return {"mass", "kg"};
+  return {colorBy == By::age ? "age" : ""};
+}
+
 std::vector<MeasuredRange> ParticleParameters::measuredRanges() {
   if (colorBy == Instances::ColorBy::material) return {};
   return measuredRange("look", "colorFrom", "colorTo", autoColors, colorRange.x, colorRange.y);
@@ -330,7 +288,7 @@ void ParticleParameters::ports(Ports& ports) const {
   if (wind) ports.want<FluidWind>(wind->fluid, {"wind", "fluid"});
   if (collides) {
     ports.wantAll<HeightField>();
-    ports.wantAll<Touchable>(true);
+    ports.requireAny<Touchable>({"collides"});
   }
   if (!meetsCloths()) return;
   ports.join<LockStep>(false);
@@ -373,23 +331,6 @@ std::optional<float> ParticleParameters::supportHeight() const {
     for (const auto& key : emitter.position.keys())
       if (!falls(emitter)) lowest = std::min(lowest, key.value.y - emitter.radius);
   return lowest;
-}
-
-std::optional<scene::Box> ParticleParameters::framed() const {
-  std::optional<scene::Box> box;
-  for (const ParticleGroup& group : groups) includeGroup(box, group);
-  // Falling particles stay visible down to y = 0 or, if they start below, down by the width of the cloud.
-  if (box && acceleration.at(0).y < 0) {
-    const glm::vec3 extent = box->max - box->min;
-    box->min.y = box->min.y > 0 ? 0.0F : box->min.y - std::max(extent.x, extent.z);
-  }
-  for (const Emitter& emitter : emitters) includeEmitter(box, emitter, acceleration.at(0));
-  if (!box) return box;
-  box->min -= 0.5F * size;
-  box->max += 0.5F * size;
-  box->round = emitters.empty() && groups.size() == 1 && groups[0].shape != ParticleGroup::Shape::cube &&
-               !(acceleration.at(0).y < 0);
-  return box;
 }
 
 }  // namespace simreel::sim

@@ -8,6 +8,7 @@
 #include "sim/core/drawable.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/particles/trails.hpp"
+#include "sim/ports/color_scale.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -85,10 +86,22 @@ struct BallParameters {
   void describe(scene::Fields& fields);
 };
 
+/// Radius in metres with which a particle is drawn, by its mass. Of a mesh, half of the factor on its
+/// coordinates.
+struct ShownRadius {
+  float radius;     ///< radius of a particle of the reference mass
+  float exponent;   ///< power of the mass with which the radius grows
+  float reference;  ///< reference mass in kg
+  [[nodiscard]] float of(float mass) const;
+  /// Returns the difference to the radius of the reference mass, or 0 for smaller particles.
+  [[nodiscard]] float beyond(float mass) const;
+};
+
 enum class GravityMethod { none, allPairs, tree };  ///< named "none", "all-pairs" and "tree" in scenes
 
 struct ParticleParameters : ObjectParameters,
                             HasColorRange,
+                            ShowsQuantity,
                             TouchesMeshes,
                             scene::HasWarmUp,
                             scene::HasOwnColors,
@@ -139,6 +152,7 @@ struct ParticleParameters : ObjectParameters,
   [[nodiscard]] const char* coloredBy() const override {
     return colorBy == Instances::ColorBy::material ? nullptr : "its \"colorBy\"";
   }
+  [[nodiscard]] ShownQuantity shownQuantity() const override;
   /// Returns the longest life of a particle, at most 4 s, if all emitters start at once and there are no
   /// groups; else 0.
   [[nodiscard]] double warmUp() const override;
@@ -159,6 +173,8 @@ struct ParticleParameters : ObjectParameters,
   [[nodiscard]] float ballRadius() const {
     return contact && contact->radius > 0 ? contact->radius : 0.5F * size;
   }
+  /// Returns the radius with which particles are drawn. May read the file of the first group.
+  [[nodiscard]] ShownRadius shownRadius() const;
   /// Returns the number of substeps per frame: `substeps`, or for `autoSubsteps` the number that balls in
   /// contact need.
   [[nodiscard]] int substepsPerFrame(double frameSeconds) const;

@@ -26,6 +26,14 @@ const PortInfo ColorScale::port = {
         },
 };
 
+ShownQuantity shownQuantityOf(const Links& links, const std::string& name) {
+  const PartName named(name);
+  const scene::Object* const object = links.declared(named.object);
+  if (object == nullptr || !named.part.empty()) return {""};
+  const auto* shows = dynamic_cast<const ShowsQuantity*>(object->parameters.get());
+  return shows == nullptr ? ShownQuantity{""} : shows->shownQuantity();
+}
+
 ColorScale colorScaleOf(const Links& links, const std::string& name) {
   const std::string object(PartName(name).object);
   Drawables drawables;

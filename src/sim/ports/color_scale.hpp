@@ -29,6 +29,24 @@ class HasColorScale {
   [[nodiscard]] virtual ColorScale colorScale() const = 0;
 };
 
+/// Quantity that a colour scale shows, for the title of a colour bar.
+struct ShownQuantity {
+  const char* name;       ///< such as "speed"; empty if unknown
+  const char* unit = "";  ///< such as "m/s"; empty if the quantity has none
+};
+
+/// Interface of the parameters of objects whose colours show a quantity with a name.
+class ShowsQuantity {
+ public:
+  virtual ~ShowsQuantity() = default;
+  /// Returns the quantity that the colours of the object itself show.
+  [[nodiscard]] virtual ShownQuantity shownQuantity() const = 0;
+};
+
+/// Returns the quantity that the colours of OBJECT or OBJECT.PART show. Its name is empty if it is unknown,
+/// as for parts.
+[[nodiscard]] ShownQuantity shownQuantityOf(const Links& links, const std::string& name);
+
 /// Returns the current scale of the field OBJECT or OBJECT.PART, or if there is no such field, of the
 /// object OBJECT itself: particles, points, cloth, a contour, arrows or streamlines. Throws
 /// UserError(usage) for an object that is not drawn in colours of a scale.

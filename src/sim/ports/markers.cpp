@@ -7,8 +7,8 @@ const PortInfo Touchable::port = {
     .lacks = ", which nothing touches",
     .none = "the scene has nothing to touch",
     .missing =
-        "objects.{}.{}.collides: there is nothing to touch; add a ground or a shape, or give a mesh, a "
-        "body or water \"collides\": true, or a cloth \"contact\": true",
+        "there is nothing to touch; add a ground or a shape, or give a mesh, a body or water "
+        "\"collides\": true, or a cloth \"contact\": true",
 };
 
 const PortInfo PathPort::port = {

@@ -120,6 +120,7 @@ struct ReactionParameters : ObjectParameters, HasColorRange, OwnCells, scene::Co
   [[nodiscard]] const char* drawnWith() const override {
     return space() == RuleSpace::plane ? "its \"display\"" : nullptr;
   }
+  void leaveRoom(glm::vec2 room) override { display.room = room; }
   [[nodiscard]] Extent covering() const override {
     return space() == RuleSpace::plane ? display.covering() : Extent::none;
   }

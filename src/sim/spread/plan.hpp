@@ -34,6 +34,7 @@ struct SpreadParameters : scene::Covering {
   bool chart = false;
   double chartSeconds = 0;  ///< initial length of the chart's x axis in seconds; it grows when needed
   FieldDisplay display;
+  void leaveRoom(glm::vec2 room) override { display.room = room; }
   [[nodiscard]] Extent covering() const override { return display.covering(); }
   [[nodiscard]] bool hasStates() const override { return true; }
   /// Declares the fields size, border and stepsPerSecond.

@@ -4,6 +4,7 @@
 #include "scene/value/fields.hpp"
 #include "sim/core/kind.hpp"
 #include "sim/flow/speed_range.hpp"
+#include "sim/ports/color_scale.hpp"
 
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@ namespace simreel::sim {
 /// Parameters of the object kind "streamlines".
 struct StreamlineParameters : ObjectParameters,
                               HasColorRange,
+                              ShowsQuantity,
                               ShowsSpeedsOf,
                               scene::HasFieldSkin,
                               scene::HasOwnColors {
@@ -38,6 +40,7 @@ struct StreamlineParameters : ObjectParameters,
   [[nodiscard]] const char* coloredBy() const override {
     return colors.empty() ? nullptr : "its \"colors\"";
   }
+  [[nodiscard]] ShownQuantity shownQuantity() const override { return {"speed", "m/s"}; }
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return speeds.measured(); }
   [[nodiscard]] const std::string& source() const override { return of; }
   [[nodiscard]] bool framesSource() const override { return frames; }

@@ -4,6 +4,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/grid/field_display.hpp"
 #include "sim/grid/strokes.hpp"
+#include "sim/ports/color_scale.hpp"
 #include "sim/water/floats.hpp"
 
 #include <array>
@@ -70,7 +71,11 @@ struct WaterSwell {
 };
 
 /// Scene parameters of shallow water over a terrain.
-struct WaterParameters : ObjectParameters, HasColorRange, scene::Covering, scene::FramedInPart {
+struct WaterParameters : ObjectParameters,
+                         HasColorRange,
+                         ShowsQuantity,
+                         scene::Covering,
+                         scene::FramedInPart {
   glm::ivec2 size{193, 193};  ///< Grid size in cells along x and z.
   float cell = 0.035F;        ///< Cell width in metres.
   glm::vec3 position{0};      ///< Position of the grid's centre at level 0, in metres.
@@ -100,7 +105,8 @@ struct WaterParameters : ObjectParameters, HasColorRange, scene::Covering, scene
   std::optional<WaterRain> rain;
   bool isPond = false;  ///< True if the scene gives no parameters of the water, so that the default pond is
                         ///< used.
-  bool restsOnGround = false;  ///< true since version 2: a ground without a height is below the terrain
+  bool restsOnGround = false;  ///< true since version 2: a ground without a height is below the terrain,
+                               ///< whose sides are closed
   std::vector<StrokeParameters> strokes;
   std::vector<WaterFloat> floats;
   bool collides = false;
@@ -121,6 +127,8 @@ struct WaterParameters : ObjectParameters, HasColorRange, scene::Covering, scene
   WaterParameters();
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
+  [[nodiscard]] ShownQuantity shownQuantity() const override { return {"depth", "m"}; }
+  void leaveRoom(glm::vec2 room) override { display.room = room; }
   [[nodiscard]] Extent covering() const override { return display.covering(); }
   void ports(Ports& ports) const override;
   [[nodiscard]] std::int64_t minLargestBufferBytes() const override {

@@ -5,6 +5,7 @@
 #include "sim/core/kind.hpp"
 #include "sim/grid/picture_file.hpp"
 #include "sim/grid/sheet_mesh.hpp"
+#include "sim/mesh/buffers.hpp"
 #include "sim/mesh/height_field.hpp"
 #include "sim/mesh/looks.hpp"
 #include "sim/ports/landform.hpp"
@@ -13,6 +14,7 @@
 #include "sim/water/kernels.hpp"
 #include "sim/water/plan.hpp"
 #include "sim/water/quantities.hpp"
+#include "sim/water/skirt.hpp"
 
 #include <algorithm>
 #include <array>
@@ -127,6 +129,11 @@ class Water : public Simulation, public Landform {
       surface.palette = &groundPalette_.view();
       surface.material = &ground_;
       if (bed_ == nullptr) drawables.surfaces.push_back(surface);
+      if (sides_ && bed_ == nullptr) {
+        Surface sides = sides_->surface();
+        sides.material = &sidesMaterial_;
+        drawables.surfaces.push_back(sides);
+      }
       surface.positions = &kernels_.shown().view();
       surface.heights = &shownHeights_;
       surface.palette = &palette_.view();
@@ -233,6 +240,11 @@ class Water : public Simulation, public Landform {
     groundHeights_.colors = &groundColorView_;
     for (std::size_t i = 0; i < 4; ++i)
       if (p.sides[i] == WaterBorder::wall) groundHeights_.walls |= 1 << i;
+    if (!p.restsOnGround || plan_.firstCells().empty()) return;
+    sides_.emplace(name_ + " sides", groundSides(plan_, groundHeights_.walls, groundHeights_.rim));
+    sidesMaterial_ = ground_;
+    sidesMaterial_.color = p.ground;
+    sidesMaterial_.textureScale.y = sidesMaterial_.textureScale.x;
   }
   void advance(double time, const StepWatch& watch) {
     kernels_.startFrame(time);
@@ -271,7 +283,7 @@ class Water : public Simulation, public Landform {
   }
 
   std::string name_, speedName_, levelName_;
-  scene::Material material_, ground_;
+  scene::Material material_, ground_, sidesMaterial_;
   WaterPlan plan_;
   glm::ivec2 size_;
   std::vector<glm::vec3> colors_;
@@ -279,6 +291,7 @@ class Water : public Simulation, public Landform {
   gl::Buffer groundColors_, rowIndices_;
   gl::Texture groundColorView_;
   GridHeights groundHeights_, shownHeights_;
+  std::optional<MeshBuffers> sides_;  ///< Sides of the ground; empty if they are open.
   WaterKernels kernels_;
   std::optional<FloatKernels> floats_;
   const HeightField* bed_ = nullptr;  ///< Heights of the object that is the ground, or null.

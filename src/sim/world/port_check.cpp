@@ -130,9 +130,23 @@ void checkNamed(const char* where, const std::string& name, Objects objects,
   if (!mistake.empty()) mistakes.push_back(fmt::format("{}.object: {}", where, mistake));
 }
 
+/// Reports objects that take from all providers and require one, if the scene has none.
+void checkNeeds(Objects objects, bool hasGround, const scene::Report& report) {
+  const auto unread = [](const scene::Object& object) { return object.parameters == nullptr; };
+  if (std::any_of(objects.begin(), objects.end(), unread)) return;  // such an object may be the provider
+  for (const scene::Object& object : objects)
+    for (const Ports::Want& want : portsOf(object).wants) {
+      if (!want.all || !want.needed || (hasGround && want.port == &Touchable::port)) continue;
+      const bool found = std::any_of(objects.begin(), objects.end(), [&](const scene::Object& other) {
+        return provides(other, *want.port);
+      });
+      if (!found) report(object, placed(object, want.path), want.port->missing);
+    }
+}
+
 }  // namespace
 
-void checkPorts(Objects objects, const scene::Report& report) {
+void checkPorts(Objects objects, bool hasGround, const scene::Report& report) {
   for (const scene::Object& object : objects) {
     if (object.material.skin && object.materialKeys.contains("skin")) {
       Ports::Want skin{&FieldSource::port, object.material.skin->field, {"field"}, When::afterFrame};
@@ -146,6 +160,7 @@ void checkPorts(Objects objects, const scene::Report& report) {
     }
   }
   checkOffers(objects, report);
+  checkNeeds(objects, hasGround, report);
   checkOrder(objects, report);
 }
 
@@ -160,15 +175,6 @@ std::vector<std::string> portMistakes(const scene::Scene& scene) {
     if (light.follow)
       checkNamed<PathPort>(("lights." + light.name + ".follow").c_str(), light.follow->object, objects,
                            mistakes);
-  const bool ground = scene.ground && scene.ground->solid;
-  for (const scene::Object& object : objects)
-    for (const Ports::Want& want : portsOf(object).wants) {
-      const bool found = std::any_of(objects.begin(), objects.end(), [&](const scene::Object& other) {
-        return other.parameters != nullptr && provides(other, *want.port);
-      });
-      if (want.all && want.needed && !found && !(ground && want.port == &Touchable::port))
-        mistakes.push_back(fmt::format(fmt::runtime(want.port->missing), object.name, object.kind));
-    }
   return mistakes;
 }
 

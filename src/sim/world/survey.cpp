@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -96,20 +97,38 @@ double countedWork(const scene::Scene& scene, const World& world) {
   return work * static_cast<double>(scene.frameCount() - 1 - world.firstFrame());
 }
 
-/// Returns the finite positions of an object's points or mesh vertices in metres.
-std::vector<glm::vec3> placesOf(const Simulation& object) {
-  std::vector<glm::vec3> places;
-  const auto add = [&](const glm::vec3& at) {
-    if (std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z)) places.push_back(at);
+/// Returns the finite positions of an object's points or mesh vertices in metres. w: mass of a point, 0 if
+/// it has none.
+std::vector<glm::vec4> placesOf(const Simulation& object) {
+  std::vector<glm::vec4> places;
+  const auto add = [&](const glm::vec3& at, float mass) {
+    if (std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z)) places.emplace_back(at, mass);
   };
   const PointTable table = object.points();
   const std::size_t columns = table.columns.size();
+  const bool weighs = columns > 3 && std::string_view(table.columns[3]) == "mass";
   for (std::size_t i = 0; columns >= 3 && i + columns <= table.values.size(); i += columns)
-    add({table.values[i], table.values[i + 1], table.values[i + 2]});
+    add({table.values[i], table.values[i + 1], table.values[i + 2]}, weighs ? table.values[i + 3] : 0.0F);
   if (columns >= 3) return places;
   if (const auto surface = object.mesh())
-    for (const glm::vec3& at : surface->positions) add(at);
+    for (const glm::vec3& at : surface->positions) add(at, 0);
   return places;
+}
+
+/// Returns the outermost points of an object's positions. Particles whose size grows with mass are balls of
+/// the sizes that are drawn.
+std::vector<glm::vec3> outermostOf(const std::vector<glm::vec4>& places,
+                                   const ParticleParameters* particles,
+                                   const std::optional<ShownRadius>& shown) {
+  const double stray = particles == nullptr ? 0 : strayParticles;
+  if (shown) {
+    std::vector<glm::vec4> balls;
+    balls.reserve(places.size());
+    for (const glm::vec4& at : places) balls.emplace_back(glm::vec3(at), shown->of(at.w));
+    return scene::outermostOfBalls(balls, stray);
+  }
+  const std::vector<glm::vec3> points(places.begin(), places.end());
+  return scene::outermost(points, stray, particles == nullptr ? 0 : 0.5F * particles->size);
 }
 
 /// Returns the frames to sample, which span the frames from 0 to the last.
@@ -134,12 +153,13 @@ bool isWithin(const scene::Box& room, const glm::vec3& at) {
 /// Object whose motion is sampled.
 struct SampledObject {
   std::size_t object = 0;
-  std::size_t place = 0;                 ///< index of the object in Survey::framed
-  scene::Box near;                       ///< region outside of which points are far
-  scene::Box wide;                       ///< region outside of which points are ignored
-  std::vector<glm::vec3> seen = {};      ///< outermost points in `near` of all sampled frames
-  std::vector<glm::vec3> seenWide = {};  ///< outermost points in `wide`
-  std::size_t samples = 0, far = 0;      ///< number of points in `wide`; number of them outside `near`
+  std::size_t place = 0;                  ///< index of the object in Survey::framed
+  scene::Box near;                        ///< region outside of which points are far
+  scene::Box wide;                        ///< region outside of which points are ignored
+  std::vector<glm::vec3> seen = {};       ///< outermost points in `near` of all sampled frames
+  std::vector<glm::vec3> seenWide = {};   ///< outermost points in `wide`
+  std::optional<ShownRadius> shown = {};  ///< set for particles whose size grows with mass
+  std::size_t samples = 0, far = 0;       ///< number of points in `wide`; number of them outside `near`
 };
 
 /// Returns the box enlarged on each side by `times` its size.
@@ -158,26 +178,25 @@ bool standsOnOwnGround(const scene::Scene& scene) {
 /// Samples an object's current positions: the outermost points. Of particles, takes an evenly spaced subset
 /// and leaves out strays and particles that the ground hides.
 void look(const World& world, const scene::Scene& scene, std::size_t looks, SampledObject& traveller) {
-  std::vector<glm::vec3> places = placesOf(world.object(traveller.object));
+  std::vector<glm::vec4> places = placesOf(world.object(traveller.object));
   const ParticleParameters* particles = particlesOf(scene.objects[traveller.object]);
   const bool hides = particles != nullptr && !particles->collides && standsOnOwnGround(scene);
-  std::erase_if(places, [&](const glm::vec3& at) {
-    return !isWithin(traveller.wide, at) || (hides && at.y < scene.ground->height);
+  std::erase_if(places, [&](const glm::vec4& at) {
+    return !isWithin(traveller.wide, glm::vec3(at)) || (hides && at.y < scene.ground->height);
   });
   if (particles != nullptr) {
     const std::size_t stride = 1 + places.size() * looks / maxPoints;
     for (std::size_t i = 0; i * stride < places.size(); ++i) places[i] = places[i * stride];
     places.resize((places.size() + stride - 1) / stride);
   }
-  std::vector<glm::vec3> near = places;
-  std::erase_if(near, [&](const glm::vec3& at) { return !isWithin(traveller.near, at); });
+  std::vector<glm::vec4> near = places;
+  std::erase_if(near, [&](const glm::vec4& at) { return !isWithin(traveller.near, glm::vec3(at)); });
   traveller.samples += places.size();
   traveller.far += places.size() - near.size();
-  const double stray = particles == nullptr ? 0 : strayParticles;
-  const float beyond = particles == nullptr ? 0 : 0.5F * particles->size;
-  for (const glm::vec3& at : scene::outermost(near, stray, beyond)) traveller.seen.push_back(at);
+  for (const glm::vec3& at : outermostOf(near, particles, traveller.shown)) traveller.seen.push_back(at);
   if (near.size() < places.size()) near = std::move(places);
-  for (const glm::vec3& at : scene::outermost(near, stray, beyond)) traveller.seenWide.push_back(at);
+  for (const glm::vec3& at : outermostOf(near, particles, traveller.shown))
+    traveller.seenWide.push_back(at);
 }
 
 /// Replaces an object's extent by the extent of the sampled points. Keeps the extent given by the
@@ -228,8 +247,11 @@ Survey surveyMotion(scene::Scene& scene, const SurveyWatch& watch, double maximu
     if (!one) continue;
     if (goesItsWay(scene.objects[i])) {
       // Pieces of cloth that leave their place fall for ever, so only particles count far from their start.
-      const float far = particlesOf(scene.objects[i]) != nullptr ? 2 : 1;
+      const ParticleParameters* particles = particlesOf(scene.objects[i]);
+      const float far = particles != nullptr ? 2 : 1;
       travellers.push_back({i, survey.framed.size(), roomAround(one->box, 1), roomAround(one->box, far)});
+      if (particles != nullptr && particles->massExponent > 0)
+        travellers.back().shown = particles->shownRadius();
     }
     survey.framed.push_back(std::move(*one));
   }

@@ -64,3 +64,28 @@ TEST_CASE("outline: a few stray points are ignored, by an integer rule") {
   CHECK(scene::outermost({}).empty());
   CHECK(scene::outermost(std::vector<glm::vec3>{right}, 1).size() == 98);
 }
+
+TEST_CASE("outline: balls are framed with their radii, and a large one is never a stray") {
+  std::vector<glm::vec4> balls;
+  for (const glm::vec3& point : evenBall(199)) balls.emplace_back(point, 0.01F);
+  balls.emplace_back(3, 0, 0, 0.01F);
+  const glm::vec3 right(1, 0, 0);
+  CHECK(farthest(scene::outermostOfBalls(balls), right) == doctest::Approx(3.01));
+  CHECK(farthest(scene::outermostOfBalls(balls, 0.005), right) < 1.02F);
+  balls.back().w = 0.5F;
+  CHECK(farthest(scene::outermostOfBalls(balls, 0.005), right) == doctest::Approx(3.5));
+  const std::vector<glm::vec3> outer = scene::outermostOfBalls(balls, 0.02);
+  std::reverse(balls.begin(), balls.end());
+  CHECK(scene::outermostOfBalls(balls, 0.02) == outer);
+  CHECK(scene::outermostOfBalls({}).empty());
+  CHECK(farthest(scene::outermostOfBalls(std::vector<glm::vec4>{{1, 0, 0, 2}}, 1), right) == 3);
+}
+
+TEST_CASE("outline: balls of one radius have the outline of their centres, moved outwards by the radius") {
+  std::vector<glm::vec3> points = evenBall(300);
+  std::vector<glm::vec4> balls;
+  for (const glm::vec3& point : points) balls.emplace_back(point, 0.25F);
+  const auto expected = scene::outermost(points, 0.01, 0.25F), outer = scene::outermostOfBalls(balls, 0.01);
+  REQUIRE(outer.size() == expected.size());
+  for (std::size_t i = 0; i < outer.size(); ++i) CHECK(glm::length(outer[i] - expected[i]) < 1e-6F);
+}

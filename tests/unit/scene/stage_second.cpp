@@ -40,6 +40,28 @@ glm::vec3 inkOf(const scene::Scene& scene) {
 
 }  // namespace
 
+TEST_CASE("stage: a dark stage of version 2 has a card and a low fill where metal is drawn") {
+  const std::string night = R"("stage": "night", )";
+  const auto metal = [](const char* members) {
+    return fmt::format(R"({{"m": {{"sphere": {{}}, "material": {{{}}}}}}})", members);
+  };
+  const scene::Scene gold = parsed(metal(R"("metallic": 1)"), night);
+  const scene::Light* const card = lampOf(gold, "card");
+  REQUIRE(card != nullptr);
+  CHECK(card->type == scene::Light::Type::area);
+  CHECK_FALSE(card->shadow);
+  // The lower edges of both lamps are below the horizon of the objects.
+  for (const char* name : {"card", "fill"}) {
+    const scene::Light& lamp = *lampOf(gold, name);
+    CHECK(lamp.position.at(0).y - 0.5F * lamp.area.height.at(0) < lamp.area.target.at(0).y - 1);
+  }
+  const scene::Scene matt = parsed(metal(R"("metallic": 0.4)"), night);
+  CHECK(lampOf(matt, "card") == nullptr);
+  CHECK(lampOf(matt, "fill")->area.height.at(0) < lampOf(gold, "fill")->area.height.at(0));
+  CHECK(lampOf(parsed(metal(R"("metallic": 1)"), R"("stage": "studio", )"), "card") == nullptr);
+  CHECK(lampOf(parsed(metal(R"("metallic": 1)"), night, 1), "card") == nullptr);
+}
+
 TEST_CASE("stage: dark stages of version 2 have a fill and a softbox on the camera's side") {
   const auto has = [](const std::string& members, int version = 2) {
     const scene::Scene scene = parsed(ball, members, version);

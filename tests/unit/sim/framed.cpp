@@ -175,3 +175,23 @@ TEST_CASE("framed: framing of file meshes and bodies includes their extreme poin
   body.animation = "walk";
   checkOutline(body, body.outline());
 }
+
+TEST_CASE(
+    "framed: particles whose size grows with mass are framed with the radius of their heaviest body") {
+  sim::ParticleParameters particles;
+  sim::ParticleGroup group;
+  group.shape = sim::ParticleGroup::Shape::disk;
+  group.radius = 1;
+  group.thickness = 0;
+  group.count = 100;
+  group.totalMass = 100;
+  group.centralMass = 1000;
+  particles.groups = {group};
+  particles.size = 0.2F;
+  checkFramed(particles, {-3.1F, -0.1F, -3.1F}, {3.1F, 0.1F, 3.1F});
+  particles.massExponent = 1.0F / 3;
+  // The central body has 1000 times the mass of the others, so 10 times their radius.
+  checkFramed(particles, {-3.1F, -1, -3.1F}, {3.1F, 1, 3.1F});
+  particles.massExponent = 2.0F / 3;
+  checkFramed(particles, {-10, -10, -10}, {10, 10, 10});
+}

@@ -160,7 +160,9 @@ TEST_CASE("heights: a scene may have only one mesh to fall onto, and colliding p
     const auto found = sim::findProblems(scene);
     return found.empty() ? std::string("none") : std::string(found.front().what());
   };
-  test::checkHas(problems(""), "objects.p.particles.collides: there is nothing to touch");
+  const std::string alone = heightsFailure("\"s\": {\"cloth\": {}},\n\"p\": " + grains);
+  test::checkHas(alone, "error: there is nothing to touch; add a ground or a shape");
+  test::checkHas(alone, "test.json:3:");
   CHECK(problems(R"(, "ground": {"height": -1})") == "none");
   test::checkHas(heightsFailure(R"("p": {"particles": {"groups": [{}], "bounce": 0.2}})"),
                  "for particles with \"collides\"");
