@@ -61,6 +61,27 @@ TEST_CASE("light from behind passes only through translucent cloth") {
   CHECK(near(picture.at(16, 16), filmByte({0.4, 0.4, 0.4}), 2.5));
 }
 
+TEST_CASE("the lobe of translucent cloth fades where the sun grazes it") {
+  testContext();
+  scene::Scene scene = darkScene();
+  scene.sun.shadow = false;
+  scene.sun.direction = glm::normalize(glm::vec3(1, 0, 0.2F));
+  scene.camera.position = glm::vec3(-5, 0, 2);
+  GridStage sheet({4, 4}, {-1, 1, 0}, {2, 0, 0}, {0, -2, 0});
+  sheet.material.color = glm::vec3(0);
+  sheet.material.roughness = 0.7F;
+  const int opaque = drawn(scene, {.surfaces = {sheet.surface}}, {33, 33}).brightness(16, 16);
+  CHECK(opaque > 250);
+  sheet.material.translucency = 0.5F;
+  const int grazed = drawn(scene, {.surfaces = {sheet.surface}}, {33, 33}).brightness(16, 16);
+  CHECK(grazed < opaque / 2);
+  // In steeper light, the lobes are equal.
+  scene.sun.direction = glm::normalize(glm::vec3(1, 0, 0.7F));
+  const Picture lit = drawn(scene, {.surfaces = {sheet.surface}}, {33, 33});
+  sheet.material.translucency = 0.0F;
+  CHECK(lit.at(16, 16) == drawn(scene, {.surfaces = {sheet.surface}}, {33, 33}).at(16, 16));
+}
+
 TEST_CASE("metal reflects the sky, tinted by its colour") {
   testContext();
   scene::Scene scene = darkScene();
