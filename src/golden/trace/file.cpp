@@ -75,8 +75,9 @@ StepTrace::Array readArray(Input& in) {
   array.perBlock = in.number();
   array.steps = in.number();
   constexpr std::uint32_t max = 1U << 30;
+  // Objects that only compute a first state, such as kernels with "steps": 0, have no steps.
   if (array.elements < 1 || array.elements > max || array.perBlock < 1 || array.perBlock > max ||
-      array.steps < 1 || array.steps > max)
+      array.steps > max)
     in.wrong("its sizes make no sense");
   // Every invocation of the hash kernel must take the same number of elements of a block.
   if (array.perBlock % elementsPerInvocation(array.perBlock) != 0) in.wrong("its sizes make no sense");

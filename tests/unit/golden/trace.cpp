@@ -171,6 +171,14 @@ TEST_CASE("absurd sizes in a trace file allocate no memory") {
   CHECK(decodeRefusal(uneven).find("sizes make no sense") != std::string::npos);
 }
 
+TEST_CASE("a trace file may contain an object without steps") {
+  const auto trace = made({{"fire", "cells", 5, 5, 2}, {"land", "heights", 5, 5, 0}}, 0, 3, 4096);
+  const auto decoded = decodeTrace(encodeTrace(trace), "steps.bin");
+  CHECK(decoded.words == trace.words);
+  CHECK(decoded.arrays.back().steps == 0);
+  CHECK(!compareTraces(decoded, trace));
+}
+
 TEST_CASE("equal traces do not diverge") {
   const auto trace = made(twoArrays, -3, 5, 4096);
   CHECK(!compareTraces(trace, trace));
