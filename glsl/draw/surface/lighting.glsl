@@ -45,10 +45,10 @@ FUNCTION vec3 surfaceLight(Look look, Shares shares, vec3 p, vec3 normal, vec3 v
   ROUNDED float lit = max(nl, 0.0f) * fraction;
   ROUNDED vec2 lobed = sunLobe(normal, view, sun, look.roughness) * lit;
 #ifdef TRANSLUCENT
-  // The offset of the shadow map's receiver lets sunlight into the narrow folds of a sheet, whose inner sides the sun
-  // grazes. The matt light there equals the light through the sheet, but the lobe would be a pale rim, so it fades.
+  // The offset of the shadow map's receiver lets sunlight into the narrow folds of a translucent sheet, whose inner sides
+  // the sun grazes. The matt light there equals the light through the sheet, but the lobe would be a pale rim, so it fades.
   ROUNDED float twice = 2.0f * nl;
-  float steep = clamp(twice, 0.0f, 1.0f);
+  float steep = look.translucency > 0.0f ? clamp(twice, 0.0f, 1.0f) : 1.0f;
   lobed = lobed * (steep * steep);
   ROUNDED float behind = max(-nl, 0.0f) * fraction;
   ROUNDED float direct = lit + (behind - lit) * look.translucency;
