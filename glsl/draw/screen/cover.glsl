@@ -27,6 +27,7 @@ FUNCTION vec3 lightBeyondCover(vec3 light, float covered, float white) {
 // the encoded colour of the objects. `added`: the encoded added light alone, premultiplied.
 FUNCTION vec3 colorOfCover(vec3 surface, float covered, vec3 added, float cover) {
   if (cover < 1e-4f) return vec3(0.0f);
+  if (covered >= cover) return surface;
   ROUNDED float share = clamp(covered * inverse(cover), 0.0f, 1.0f);
   vec3 glow = lightOfCover(added, coverOf(0.0f, added));
   ROUNDED vec3 color = share * surface + (1.0f - share) * glow;

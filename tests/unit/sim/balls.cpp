@@ -390,7 +390,8 @@ TEST_CASE("balls: particles that are born inside each other gain no energy") {
 TEST_CASE("balls: substeps and margin follow from the radius unless they are given") {
   const auto parametersOf = [](const std::string& more) {
     const auto scene = balls::parsedScene(
-        R"({"groups": [{"count": 5}], "acceleration": [0, -10, 0], "collides": true, )" + more + "}");
+        R"({"groups": [{"count": 5}], "acceleration": [0, -10, 0], "collides": true, )" + more + "}",
+        R"("ground": {}, )");
     return dynamic_cast<const sim::ParticleParameters&>(*scene.objects[0].parameters);
   };
   const auto own = parametersOf(R"("contact": true, "look": {"size": 0.1})");

@@ -114,8 +114,8 @@ inline double deepest(const ParticlesTwin& twin) {
   return maximum;
 }
 
-inline scene::Scene parsedScene(const std::string& object) {
-  return scene::parseScene("{\"version\": 1, \"objects\": {\"cloud\": {\"particles\": " + object + "}}}",
+inline scene::Scene parsedScene(const std::string& object, const std::string& scene = {}) {
+  return scene::parseScene("{\"version\": 1, " + scene + "\"objects\": {\"cloud\": {\"particles\": " + object + "}}}",
                            "test.json", {}, sim::kinds());
 }
 
