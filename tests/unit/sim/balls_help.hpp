@@ -115,8 +115,9 @@ inline double deepest(const ParticlesTwin& twin) {
 }
 
 inline scene::Scene parsedScene(const std::string& object, const std::string& scene = {}) {
-  return scene::parseScene("{\"version\": 1, " + scene + "\"objects\": {\"cloud\": {\"particles\": " + object + "}}}",
-                           "test.json", {}, sim::kinds());
+  return scene::parseScene(
+      "{\"version\": 1, " + scene + "\"objects\": {\"cloud\": {\"particles\": " + object + "}}}",
+      "test.json", {}, sim::kinds());
 }
 
 }  // namespace simreel::balls
