@@ -8,10 +8,10 @@ namespace simreel::draw {
 
 // Factories of the passes, defined in draw/exact/passes.
 PassMaker makeSkins, makeThings, makeRayScene, makeJoinedSurfaces, makeLampMaps, makeSunMap, makeMirrors,
-    makeView, makeVisibility, makeLensNearness, makeNearness, makeOpenness, makeTiles, makeKeptVisibility,
-    makeBlended, makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected,
-    makeBehindGlass, makeFarGlass, makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow,
-    makeFieldsBehind, makeScatter, makeFilm;
+    makeView, makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended,
+    makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected, makeBehindGlass,
+    makeFarGlass, makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow, makeFieldsBehind,
+    makeScatter, makeFilm;
 
 /// Resources that hold only the current band of a picture. A pass with Each::view ends the loop over the
 /// bands. If later passes read one of these resources, the passes that wrote it run again, band by band.
@@ -33,7 +33,6 @@ inline constexpr PassEntry exactPasses[] = {
     {"view", Each::view, nullptr, {"view"}, {"view", "light"}, {}, makeView},
     {"visibility", Each::band, "visibility", {"things", "joined", "view", "skins"}, {"visibility"}, {},
      makeVisibility},
-    {"lens nearness", Each::band, "lens", {"visibility", "view"}, {"lens nearness"}, {}, makeLensNearness},
     {"nearness", Each::band, "occlusion", {"visibility", "view"}, {"nearness"}, {}, makeNearness},
     {"openness", Each::view, "occlusion", {"nearness", "view"}, {"openness"}, {}, makeOpenness},
     {"tiles", Each::band, "surfaces", {"visibility", "view"}, {"tiles", "visibility", "light"}, {}, makeTiles},
@@ -66,7 +65,7 @@ inline constexpr PassEntry exactPasses[] = {
      makeNearGlass},
     {"kept light", Each::band, nullptr, {"light"}, {}, {"light"}, makeKeptLight},
     {"glows", Each::band, "instances", {"things", "visibility", "light"}, {"light"}, {}, makeGlows},
-    {"mean", Each::view, "lens", {"light", "lens nearness", "view"}, {"light", "view"}, {"light"}, makeMean},
+    {"mean", Each::view, "lens", {"light", "view"}, {"light", "view"}, {"light"}, makeMean},
 
     {"kept glow", Each::picture, nullptr, {"light"}, {}, {"glow"}, makeKeptGlow},
     {"fields behind", Each::picture, "fields", {"fields", "light"}, {"light"}, {"glow"}, makeFieldsBehind},

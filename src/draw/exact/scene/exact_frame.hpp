@@ -143,7 +143,6 @@ struct ExactFrame {
   ExactInstances instances;
   gl::Kernels<ShadeGround> groundShading;
   std::optional<RayLight> rays;
-  gl::Texture lensNearness;  ///< nearness of each pixel of the view, if the camera has a lens
   gl::Texture light;  ///< RGB light of each pixel; alpha: coverage, negative where the light is compressed
                       ///< (glsl/draw/exact/screen/edge_light.glsl)
 };
