@@ -111,6 +111,12 @@ TEST_CASE("transparent: light beyond that of a white surface counts as added lig
   CHECK(alone.x == doctest::Approx(1));
   CHECK(alone.y == doctest::Approx(0.5));
   CHECK(shader::colorOfCover(surface, 0, glm::vec3(0), 0) == glm::vec3(0));
+  // Five sixths of this pixel's alpha belong to the surface. The straight colour of the glow is (1, 0.5,
+  // 0).
+  const glm::vec3 mixed = shader::colorOfCover(surface, 0.5F, glow, 0.6F);
+  CHECK(mixed.x == doctest::Approx(5 / 6. * 0.4 + 1 / 6. * 1));
+  CHECK(mixed.y == doctest::Approx(5 / 6. * 0.5 + 1 / 6. * 0.5));
+  CHECK(mixed.z == doctest::Approx(5 / 6. * 0.6));
 }
 
 TEST_CASE("transparent: compositing over any background gives the same result as drawing over it") {
