@@ -103,8 +103,7 @@ TEST_CASE("transparent: partly covered pixels store unpremultiplied light of the
 
 TEST_CASE("transparent: light beyond that of a white surface counts as added light") {
   CHECK(shader::lightBeyondCover(glm::vec3(0.25F, 0.75F, 0.5F), 0.25F, 2) == glm::vec3(0, 0.25F, 0));
-  // The colour is that of the surface alone, or of the added light alone, where only one of them is in the
-  // pixel.
+  // A pixel that only the surface covers has the surface's colour. A pixel of a glow alone has the glow's.
   const glm::vec3 surface(0.4F, 0.5F, 0.6F), glow(0.2F, 0.1F, 0);
   CHECK(shader::colorOfCover(surface, 1, glow, 1) == surface);
   const glm::vec3 alone = shader::colorOfCover(surface, 0, glow, shader::coverOf(0, glow));
