@@ -41,7 +41,7 @@ int drawnAs(Triangle t) {
   int longest = max(t.high.x - t.low.x, t.high.y - t.low.y);
 #ifndef BRANCHES
 #ifdef CUTOUT
-  const float maxAround = 110000.0f / float(2 + 8 * SAMPLES);
+  const float maxAround = float(110000 / (2 + 8 * SAMPLES));
 #else
   const float maxAround = 24576.0f;
 #endif
