@@ -85,7 +85,7 @@ void main() {
     }
     if ((samples.x | samples.y | samples.z | samples.w) == 0) continue;
     int k = firstOf(samples);
-    addToHalf(corner, i, lightGround(pixelOfHalf(corner, i, k), samples[k]), samples);
+    addToHalf(corner, i, lightGround(pixelOfHalf(corner, i, k), samples[k]), samples, groundId);
   }
 #else
   for (int i = 0; i < ROWS; ++i) {
