@@ -1,4 +1,4 @@
-"""Checks text over the picture, and warnings of keys that do nothing."""
+"""Checks text and colours of lines over the picture, and warnings of keys that do nothing."""
 import json
 
 from common import Case, main, png_rows
@@ -34,6 +34,12 @@ class OverPicture(Case):
         self.assertGreaterEqual(free[1], placed[1])
         turning = {"turn": {"keys": [[0, 0], [1, 90]]}}
         self.assertEqual(camera({"corner": [0.9, 0.2, 0]}, **turning), camera({}, **turning))
+
+    def test_the_colours_of_streamlines_end_at_the_greatest_speed_of_the_flow(self):
+        rows = [f"{x * 0.25},{y * 0.25},{1 + (x == 3)},0" for y in range(4) for x in range(4)]
+        self.write("flow.csv", "x,y,u,v\n" + "\n".join(rows) + "\n")
+        self.scene({"f": {"flow": {"file": "flow.csv"}}, "s": {"streamlines": {"of": "f", "separation": 0.1}}})
+        self.assertEqual(self.picture("a"), self.picture("b", "-D", "objects.s.streamlines.high=2"))
 
     def test_light_of_a_scene_that_is_one_field_is_reported(self):
         for key, value in (("stage", "paper"), ("sun", {"intensity": 2}), ("ground", {})):
