@@ -202,6 +202,8 @@ void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
   constexpr double radiansPerDegree = 0.017453292519943295;
   const std::vector<double> turns = turnsOf(*camera.orbit);
   const bool stands = turns.size() == 1 && camera.orbit->elevation.keys().size() == 1;
+  const glm::vec2 room = stands && !aim ? roomBeside(scene) : glm::vec2(0);
+  glm::vec3 aside(0);  // from the picture's centre to the centre of the free area, per metre of distance
   float distance = 0, nearest = 0;
   for (const auto& key : camera.orbit->elevation.keys())
     for (const double degrees : turns) {
@@ -209,12 +211,16 @@ void frameOrbit(Scene& scene, const std::vector<Framed>& framed) {
       const double rise = static_cast<double>(key.value) * radiansPerDegree;
       const glm::vec3 back(ieee::cos(rise) * ieee::sin(turn), ieee::sin(rise),
                            ieee::cos(rise) * ieee::cos(turn));
-      const ViewAxes look = lookFrom(back, scene);
+      ViewAxes look = lookFrom(back, scene);
+      const glm::vec2 off = room * glm::vec2(look.wide, look.high) / filledFraction(scene);
+      aside = off.x * look.right - off.y * look.up;
+      look.wide *= 1 - room.x;
+      look.high *= 1 - room.y;
       if (stands && !aim) target = centred(look, target, points);
       distance = std::max(distance, distanceOf(look, target, points));
       for (const glm::vec3& point : points) nearest = std::max(nearest, glm::dot(point - target, back));
     }
-  camera.target = target;
+  camera.target = room == glm::vec2(0) ? target : target + distance * aside;
   camera.orbit->distance = distance;
   matchViewHeight(camera, distance);
   reach(camera, distance, nearest, scene.staged);

@@ -56,13 +56,24 @@ bool names(const Node& node, const std::string& object) {
 void warnIdleBars(const Node& root, const Scene& scene, Diagnostics& diagnostics) {
   for (const Object& bar : scene.objects) {
     const Object* const field = explainedBy(root, scene, bar);
-    if (field == nullptr || field->parameters->framed()) continue;
+    if (field == nullptr) continue;
+    // Water is drawn in its own colours; other fields in the world may have those of the bar.
+    const bool water = field->kind == "water";
+    if (!water && field->parameters->framed()) continue;
     if (dynamic_cast<const Covering&>(*field->parameters).covering() != Covering::Extent::none) continue;
     const bool shown = std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& other) {
       return &other != field && other.kind != bar.kind &&
              names(*root.find("objects")->find(other.name), field->name);
     });
     if (shown) continue;
+    const std::string of = root.find("objects")->find(bar.name)->find(bar.kind)->find("of")->text;
+    if (water && of != field->name) {
+      diagnostics.remark(root.find("objects")->find(bar.name)->headPlace(),
+                         fmt::format("{} \"{}\" explains the colours of \"{}\", which nothing shows; leave "
+                                     "it out",
+                                     bar.kind, bar.name, of));
+      continue;
+    }
     diagnostics.remark(
         root.find("objects")->find(bar.name)->headPlace(),
         fmt::format("{} \"{}\" explains the colours of \"{}\", whose \"layer\" is \"none\", so nothing "
@@ -113,6 +124,20 @@ void warnHiddenOn(const Node& root, const Scene& scene, const Object& cover, Dia
   }
 }
 
+/// Warns about the first section for light and surroundings if the whole picture is the field of `cover`,
+/// and the scene has nothing in the world.
+void warnUnlit(const Node& root, const Object& cover, Diagnostics& diagnostics) {
+  for (const char* section : {"stage", "sun", "sky", "ground", "lights"}) {
+    const Node* const given = root.find(section);
+    if (given == nullptr || given->kind == Node::Kind::boolean) continue;
+    diagnostics.remark(given->headPlace(),
+                       fmt::format("the picture of \"{}\" has colours of its own and fills the whole "
+                                   "picture; here \"{}\" does nothing",
+                                   cover.name, section));
+    return;
+  }
+}
+
 }  // namespace
 
 bool explainsBehind(const Node& root, const Scene& scene) {
@@ -134,8 +159,8 @@ void warnHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics) 
   if (scene.panels.empty()) warnHiddenOn(root, scene, *cover, diagnostics);
   const auto hidden = std::find_if(scene.objects.begin(), scene.objects.end(),
                                    [](const Object& object) { return object.parameters->framed(); });
-  if (hidden == scene.objects.end()) return;
   if (!scene.panels.empty()) return;  // a panel may show each of them
+  if (hidden == scene.objects.end()) return warnUnlit(root, *cover, diagnostics);
   const bool writes = hidden->kind == "text";
   diagnostics.remark(
       root.find("objects")->find(hidden->name)->headPlace(),

@@ -37,11 +37,11 @@ bool anyIs(Parameters::Looks looks, const Scene& scene) {
                      [&](const Object& object) { return object.parameters->looks() == looks; });
 }
 
-/// True if a field is drawn behind all objects, where a floor would hide it.
-bool hasFieldBehind(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+/// True if a field covers this extent of the picture. A floor would hide a field behind all objects.
+bool hasField(const Scene& scene, Covering::Extent extent) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
     const auto* covering = dynamic_cast<const Covering*>(object.parameters.get());
-    return covering != nullptr && covering->covering() == Covering::Extent::behind;
+    return covering != nullptr && covering->covering() == extent;
   });
 }
 
@@ -183,7 +183,8 @@ void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
   const bool hasSun = scene.sky.picture.empty() || !stage.leaves("sun");
   if (hasSun && stage.leaves("sun.diameter")) scene.sun.diameter = look.keyDiameter;
   if (hasSun && stage.leaves("sun.shadowSize")) scene.sun.shadowSize = 2048;
-  if (!scene.ground && stage.leaves("ground") && look.hasFloor && !landscape && !hasFieldBehind(scene))
+  if (!scene.ground && stage.leaves("ground") && look.hasFloor && !landscape &&
+      !hasField(scene, Covering::Extent::behind))
     scene.ground.emplace();
   if (scene.ground) {
     // A transparent picture has no background, and the floor counts as background.
@@ -204,6 +205,8 @@ void setStage(Scene& scene, const std::vector<Framed>& framed, int version) {
   moveStage(scene, framed);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) fillInMaterial(scene.objects[i], i, stage, look);
   if (version == 1 || luminance(look.floor) < inkedDark) return;
+  // A field over the whole picture hides the bright stage.
+  if (hasField(scene, Covering::Extent::whole)) return;
   for (Object& object : scene.objects)
     if (auto* inked = dynamic_cast<HasInk*>(object.parameters.get())) inked->ink(darkInk);
 }

@@ -37,9 +37,10 @@ FluidPlane planeOf(const scene::Object& object, const FlowGrid& grid) {
   return plane;
 }
 
-/// Returns the flow at the left face and the top face of each cell in cells/s, including a ring of one cell
-/// (FluidWind). It is the mean of the cells on both sides of the face. Beyond the grid, velocities are
-/// extrapolated linearly, so the flow between the faces equals a linear field exactly, up to the borders.
+/// Returns the flow at the left face and the top face of each cell in cells/s, and in z the speed in the
+/// cell's middle, 0 in the ring of one cell around the grid (FluidWind). The flow at a face is the mean of
+/// the cells on both sides of the face. Beyond the grid, velocities are extrapolated linearly, so the flow
+/// between the faces equals a linear field exactly, up to the borders.
 std::vector<glm::vec4> faces(const FlowGrid& grid) {
   const auto inside = [&](int x, int y) {
     return grid.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.size.x) +
@@ -57,10 +58,16 @@ std::vector<glm::vec4> faces(const FlowGrid& grid) {
   };
   std::vector<glm::vec4> cells;
   const double perCell = 1 / static_cast<double>(grid.cell);
+  const auto speedOf = [&](int x, int y) {
+    const bool ring = x < 0 || y < 0 || x >= grid.size.x || y >= grid.size.y;
+    if (ring) return 0.0;
+    const glm::dvec2 value = inside(x, y);
+    return perCell * std::sqrt(value.x * value.x + value.y * value.y);
+  };
   for (int y = -1; y <= grid.size.y; ++y)
     for (int x = -1; x <= grid.size.x; ++x)
       cells.emplace_back(0.5 * perCell * (at(x - 1, y).x + at(x, y).x),
-                         0.5 * perCell * (at(x, y - 1).y + at(x, y).y), 0, 0);
+                         0.5 * perCell * (at(x, y - 1).y + at(x, y).y), speedOf(x, y), 0);
   return cells;
 }
 

@@ -5,7 +5,6 @@
 #include "sim/core/collider.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -67,7 +66,7 @@ FluidWind::FluidWind(const std::string& name, const FluidPlane& plane, glm::ivec
       flow_([this]() -> const FluidArray& { return stillFlow_; }) {
   SIMREEL_CHECK(cells.size() ==
                 static_cast<std::size_t>(size.x + 2) * static_cast<std::size_t>(size.y + 2));
-  for (const glm::vec4& cell : cells) speed_ = std::max(speed_, std::hypot(cell.x, cell.y));
+  for (const glm::vec4& cell : cells) speed_ = std::max(speed_, cell.z);
   std::vector<float> planes;
   for (int i = 0; i < 2; ++i)
     for (const glm::vec4& cell : cells) planes.push_back(cell[i]);

@@ -54,8 +54,8 @@ class FluidWind {
   /// `flow` returns the array that holds the flow when it is called. `speed` is the expected maximum speed
   /// in cells/s.
   FluidWind(const FluidPlane& plane, glm::ivec2 size, float speed, std::function<const FluidArray&()> flow);
-  /// Creates a constant wind. x and y of `cells` are the flow (cells/s) at the left and top faces of each
-  /// cell, row by row, including a ring of one cell: (size.x + 2) (size.y + 2) elements.
+  /// Creates a constant wind. x and y of `cells` are the flow (cells/s) at the left and top faces, and z
+  /// the speed in the middle, row by row, including a ring of one cell: (size.x + 2) (size.y + 2) elements.
   FluidWind(const std::string& name, const FluidPlane& plane, glm::ivec2 size,
             std::span<const glm::vec4> cells);
   ~FluidWind() = default;
