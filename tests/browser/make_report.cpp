@@ -7,8 +7,12 @@
 #include "golden/report/html.hpp"
 #include "pictures.hpp"
 
+#include <cstddef>
 #include <map>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,13 +25,23 @@ namespace {
 
 constexpr int beyond = 12, window = 16;
 
+/// The encoded pictures of a failed frame, and what a report says about them.
+struct Drawn {
+  std::vector<std::byte> expected, actual, difference;
+  std::string pixels;
+  Json metrics;
+};
+
 struct Maker {
   fs::path folder;
   int width = 320, height = 180;
+  /// By frame and phase. Scenes of a report share frames, so each is drawn once.
+  std::map<std::pair<int, double>, Drawn> drawn;
 
-  std::string keep(const std::string& scene, const std::string& file, const frame::Image& image) const {
+  std::string keep(const std::string& scene, const std::string& file,
+                   std::span<const std::byte> png) const {
     fs::create_directories(folder / "files" / scene);
-    writeFileAtomically(folder / "files" / scene / file, frame::encodePng(image, {}));
+    writeFileAtomically(folder / "files" / scene / file, png);
     return "files/" + scene + "/" + file;
   }
 };
@@ -74,24 +88,37 @@ Json equalFrame(int frame) {
           {"differenceImage", ""}, {"flipImage", ""},        {"others", Json::array()}};
 }
 
+/// Draws a frame whose wave differs from the wave of the baseline by the phase `shift`.
+Drawn drawFrame(int width, int height, int frame, double shift) {
+  const auto expected = picture(width, height, frame * 0.05);
+  auto actual = picture(width, height, frame * 0.05 + shift);
+  // The worst pixel is at the position that a test expects, in the bright sky.
+  std::uint8_t* const worst = &actual.bytes[(std::size_t(20) * std::size_t(width) + 100) * 4];
+  std::fill(worst, worst + 3, 0);
+  return {frame::encodePng(expected, {}), frame::encodePng(actual, {}),
+          frame::encodePng(difference(expected, actual), {}), frame::pixelHash(actual),
+          metricsOf(expected, actual)};
+}
+
 /// Returns a frame whose wave differs from the wave of the baseline by the phase `shift`, and writes the
 /// pictures of the frame.
-Json failedFrame(const Maker& make, const std::string& scene, int frame, double shift) {
-  const auto expected = picture(make.width, make.height, frame * 0.05);
-  auto actual = picture(make.width, make.height, frame * 0.05 + shift);
-  // The worst pixel is at the position that a test expects, in the bright sky.
-  std::uint8_t* const worst = &actual.bytes[(std::size_t(20) * std::size_t(make.width) + 100) * 4];
-  std::fill(worst, worst + 3, 0);
+Json failedFrame(Maker& make, const std::string& scene, int frame, double shift) {
+  auto found = make.drawn.find({frame, shift});
+  if (found == make.drawn.end()) {
+    const auto key = std::pair(frame, shift);
+    found = make.drawn.emplace(key, drawFrame(make.width, make.height, frame, shift)).first;
+  }
+  const Drawn& drawn = found->second;
   Json result = equalFrame(frame);
   const std::string number = fmt::format("{:06}", frame);
-  result["metrics"] = metricsOf(expected, actual);
+  result["metrics"] = drawn.metrics;
   result["status"] = "fail";
-  result["pixels"] = frame::pixelHash(actual);
+  result["pixels"] = drawn.pixels;
   result["message"] = fmt::format("frame {}: {:.2f} % of the pixels differ by more than {}, {} % may",
                                   frame, result["metrics"]["ratioBeyond"].get<double>() * 100, beyond, 0.5);
-  result["expectedImage"] = make.keep(scene, number + ".expected.png", expected);
-  result["actualImage"] = make.keep(scene, number + ".actual.png", actual);
-  result["differenceImage"] = make.keep(scene, number + ".difference.png", difference(expected, actual));
+  result["expectedImage"] = make.keep(scene, number + ".expected.png", drawn.expected);
+  result["actualImage"] = make.keep(scene, number + ".actual.png", drawn.actual);
+  result["differenceImage"] = make.keep(scene, number + ".difference.png", drawn.difference);
   return result;
 }
 
@@ -133,7 +160,7 @@ Json passedScene(const std::string& name, const char* status = "pass") {
 }
 
 /// Returns a scene whose first frame passes and whose other frames fail by increasing amounts.
-Json failedScene(const Maker& make, const std::string& name, int frames, int every, double shift) {
+Json failedScene(Maker& make, const std::string& name, int frames, int every, double shift) {
   Json scene = emptyScene(name, "fail");
   scene["frames"].push_back(equalFrame(0));
   for (int i = 1; i < frames; ++i) {
@@ -150,7 +177,7 @@ Json check(const char* what, int frame, const Json& value, const Json& min, cons
           {"most", max},  {"passed", passed}, {"message", message}};
 }
 
-Json flagScene(const Maker& make) {
+Json flagScene(Maker& make) {
   Json scene = failedScene(make, "cloth/flag", 9, 30, 0.5);
   scene["frames"][1] = equalFrame(30);
   scene["messages"].erase(0);
@@ -180,7 +207,7 @@ Json flagScene(const Maker& make) {
   return scene;
 }
 
-Json nondeterministicScene(const Maker& make) {
+Json nondeterministicScene(Maker& make) {
   Json scene = failedScene(make, "particles/fountain", 2, 60, 0.3);
   scene["status"] = "nondeterministic";
   scene["candidate"] = "";
@@ -195,7 +222,7 @@ Json nondeterministicScene(const Maker& make) {
   return scene;
 }
 
-Json missingScene(const Maker& make) {
+Json missingScene(Maker& make) {
   Json scene = failedScene(make, "particles/new", 3, 60, 0.3);
   scene["status"] = "missing";
   scene["profile"] = scene["baselineDriver"] = scene["baselineVersion"] = scene["baselineReason"] = "";
@@ -210,10 +237,11 @@ Json missingScene(const Maker& make) {
 }
 
 /// Returns a scene whose picture has another size than the baseline, so that nothing can be compared.
-Json resizedScene(const Maker& make) {
+Json resizedScene(Maker& make) {
   Json scene = failedScene(make, "life/resized", 2, 60, 0.2);
   Json& frame = scene["frames"][1];
-  frame["expectedImage"] = make.keep("life/resized", "small.png", picture(160, 90, 3));
+  frame["expectedImage"] =
+      make.keep("life/resized", "small.png", frame::encodePng(picture(160, 90, 3), {}));
   frame["message"] = "the picture is 320x180, its baseline 160x90";
   frame["differenceImage"] = "";
   frame["metrics"] = {};
@@ -225,7 +253,7 @@ constexpr const char* markup =
     "it's <script>window.hacked = 1</script><img src=x onerror=\"window.hacked = 1\"> "
     "100% #1? <!--<script> </script> {{app.js}}";
 
-Json hostileScene(const Maker& make) {
+Json hostileScene(Maker& make) {
   Json scene = failedScene(make, "odd #1? 100%", 2, 60, 0.2);
   scene["name"] = scene["file"] = scene["baselineReason"] = scene["baselineDriver"] = markup;
   scene["messages"] = scene["notes"] = {markup};
@@ -239,7 +267,7 @@ Json hostileScene(const Maker& make) {
   return scene;
 }
 
-Json showcase(const Maker& make) {
+Json showcase(Maker& make) {
   Json scenes = {passedScene("cloth/tablecloth"),
                  flagScene(make),
                  nondeterministicScene(make),
@@ -302,7 +330,8 @@ Json suiteOf(const Json& scenes) {
 
 int run(int count, char** arguments) {
   const std::string what = count > 2 ? arguments[2] : "";
-  Maker make{count > 1 ? arguments[1] : ""};
+  Maker make;
+  make.folder = count > 1 ? arguments[1] : "";
   fs::create_directories(make.folder);
   Json scenes = Json::array();
   if (what == "showcase") {
