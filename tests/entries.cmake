@@ -82,6 +82,7 @@ set(OTHER_PICTURES "--source-file=*/gpu/draw/*" "--source-file-exclude=*/draw/ex
 # them with their baselines byte for byte.
 suite_test("" gpu "pictures on the other memory path" test_gpu ${OTHER_PICTURES} "--test-case=*twin*,*bytes*,*bits*"
   "--test-case-exclude=*charts*,exact: on a large*,*ambient occlusion*,*drawn in bands*,exact parts*,exact: whole*,exact: t*,exact: what triangles*")
+suite_test("" gpu "a fluid on the other memory path" test_gpu "--test-case=fluid equals its CPU twin where*")
 # Divisions and roots of users' kernels in integers, which no driver of this machine needs.
 suite_test("" gpu "user kernels in integers" test_gpu "--test-case=user kernels: *")
 # Tests of the driver's rasterizer, which serves as reference for the exact rasterizer; in CI only its surfaces and
@@ -100,7 +101,7 @@ if(SIMREEL_BENCH)  # takes minutes on two processors for programs that users do 
   add_test(NAME "long: benches build" COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target bench)
   set_tests_properties("long: benches build" PROPERTIES LABELS long TIMEOUT ${PATIENCE})
 endif()
-set_property(TEST "gpu: pictures on the other memory path" "long: state on the other memory path"
+set_property(TEST "gpu: pictures on the other memory path" "gpu: a fluid on the other memory path" "long: state on the other memory path"
              "long: pictures on the other memory path" APPEND PROPERTY ENVIRONMENT SIMREEL_TEST_MEMORY_PATH=other)
 set_property(TEST "gpu: user kernels in integers" APPEND PROPERTY ENVIRONMENT SIMREEL_CAREFUL=1)
 set_property(TEST "gpu: the driver's surfaces and glows on the texel memory path" "long: the driver's pictures on the texel memory path" APPEND PROPERTY ENVIRONMENT SIMREEL_TEST_RASTERIZER=driver

@@ -4,8 +4,10 @@
 layout(std430, binding = nextFlowBinding) restrict buffer SettlingBlock { float settling[]; };
 layout(std430, binding = nextDyeBinding) restrict buffer HeatBlock { float settlingHeat[]; };
 uniform int heatStart;  // Offset in settlingHeat at which the temperatures start
-// True if the projection changes temperatures.
-const bool settlesHeat = heats && obstacles;
+// True if the projection changes temperatures: inside obstacles, and beyond open sides, where they are 0.
+const bool hasOpenSide =
+    leftKind == openSide || rightKind == openSide || topKind == openSide || bottomKind == openSide;
+const bool settlesHeat = heats && (obstacles || hasOpenSide);
 
 void settleLater(int element, vec4 cell) {
   settling[element] = cell.x;

@@ -106,13 +106,18 @@ Display::Display(EGLDeviceEXT device, bool debug) {
     eglChooseConfig(display_, wanted, &config, 1, &count);
   }
   // Tries robust access first, because it makes a read beyond the end of a buffer return zero on every
-  // driver.
-  for (const bool robust : {true, false}) {
+  // driver. With notification, checkCalls() detects a reset of the device.
+  enum class Robust { none, access, notified };
+  for (const Robust robust : {Robust::notified, Robust::access, Robust::none}) {
     std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION,       4,
                                       EGL_CONTEXT_MINOR_VERSION,       5,
                                       EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
     if (debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
-    if (robust) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
+    if (robust != Robust::none)
+      attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
+    if (robust == Robust::notified)
+      attributes.insert(attributes.end(),
+                        {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
     attributes.push_back(EGL_NONE);
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, attributes.data());
     if (context_ == EGL_NO_CONTEXT) continue;

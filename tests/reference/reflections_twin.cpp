@@ -45,7 +45,7 @@ struct MirrorKernel {
           cells[static_cast<std::size_t>(levelPlace(room, level, {x, y}))] =
               level == 0 ? full[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
                                 static_cast<std::size_t>(x)]
-                         : join(below(0, 0), below(1, 0), below(0, 1), below(1, 1));
+                         : join(level, ivec2(x, y), below(0, 0), below(1, 0), below(0, 1), below(1, 1));
         }
     return cells;
   }
@@ -58,19 +58,31 @@ struct MirrorKernel {
 }  // namespace
 
 void ReflectionsTwin::see(const std::vector<float>& nearness, const std::vector<glm::vec4>& light) {
-  nearest = MirrorKernel::levelsOf(
-      nearness, half(), [](float a, float b, float c, float d) { return max(max(a, b), max(c, d)); });
-  const auto mean = [](vec4 a, vec4 b, vec4 c, vec4 d) { return 0.25F * ((a + b) + (c + d)); };
+  nearest = MirrorKernel::levelsOf(nearness, half(), [](int, ivec2, float a, float b, float c, float d) {
+    return max(max(a, b), max(c, d));
+  });
   const auto lightOf = [&](int x, int y) {
     return light[static_cast<std::size_t>(min(y, view.size.y - 1) * view.size.x + min(x, view.size.x - 1))];
   };
+  const auto mean = [](vec4 a, vec4 b, vec4 c, vec4 d) { return 0.25F * ((a + b) + (c + d)); };
+  MirrorKernel kernel{*this};
   std::vector<glm::vec4> halves;
-  for (int y = 0; y < view.size.y; y += 2)
-    for (int x = 0; x < view.size.x; x += 2)
-      halves.push_back(nearness[halves.size()] > 0.0F ? mean(lightOf(x, y), lightOf(x + 1, y),
-                                                             lightOf(x, y + 1), lightOf(x + 1, y + 1))
-                                                      : vec4(0));
-  lit = MirrorKernel::levelsOf(halves, half(), mean);
+  for (int y = 0; y < half().y; ++y)
+    for (int x = 0; x < half().x; ++x) {
+      const float near = nearness[halves.size()];
+      const ivec2 inside = kernel.insideEdge(kernel.nearnessAround({x, y}), near);
+      const bool same = kernel.sameObject(kernel.nearestAt(0, ivec2(x, y) + inside), near);
+      const ivec2 first = 2 * (same ? ivec2(x, y) + inside : ivec2(x, y));
+      halves.push_back(near > 0.0F ? mean(lightOf(first.x, first.y), lightOf(first.x + 1, first.y),
+                                          lightOf(first.x, first.y + 1), lightOf(first.x + 1, first.y + 1))
+                                   : vec4(0));
+    }
+  lit = MirrorKernel::levelsOf(halves, half(), [&](int level, ivec2 at, vec4 a, vec4 b, vec4 c, vec4 d) {
+    const auto nearAt = [&](int right, int down) {
+      return kernel.nearestAt(level - 1, 2 * at + ivec2(right, down));
+    };
+    return kernel.meanOfNearest({nearAt(0, 0), nearAt(1, 0), nearAt(0, 1), nearAt(1, 1)}, a, b, c, d);
+  });
 }
 
 glm::vec4 ReflectionsTwin::lightMet(const Ray& ray) const {

@@ -9,8 +9,8 @@ namespace simreel::draw {
 // Factories of the passes, defined in draw/exact/passes.
 PassMaker makeSkins, makeThings, makeRayScene, makeJoinedSurfaces, makeLampMaps, makeSunMap, makeMirrors,
     makeView, makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended,
-    makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected, makeBehindGlass,
-    makeFarGlass, makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow, makeFieldsBehind,
+    makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected, makeSpread,
+    makeBehindGlass, makeFarGlass, makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow, makeFieldsBehind,
     makeScatter, makeFilm;
 
 /// Resources that hold only the current band of a picture. A pass with Each::view ends the loop over the
@@ -49,10 +49,12 @@ inline constexpr PassEntry exactPasses[] = {
     {"edges", Each::band, "surfaces", {"light"}, {"light"}, {}, makeEdges},
     {"layers", Each::band, "surfaces", {"visibility", "tiles", "through", "view", "skins"}, {"layers"}, {},
      makeLayers},
-    {"mirrored", Each::view, "reflections", {"mirrors", "light", "nearness"}, {"mirrored"}, {}, makeMirrored},
+    {"mirrored", Each::view, "reflections", {"mirrors", "light", "nearness"}, {"mirrored", "changes"}, {},
+     makeMirrored},
     {"reflected", Each::band, "reflections",
-     {"mirrors", "mirrored", "visibility", "tiles", "through", "openness", "skins"}, {"light"}, {},
+     {"mirrors", "mirrored", "changes", "visibility", "tiles", "through", "openness", "skins"}, {"changes"}, {},
      makeReflected},
+    {"spread", Each::view, "reflections", {"mirrors", "changes", "light"}, {"light"}, {}, makeSpread},
     {"behind far glass", Each::view, "reflections", {"things", "light", "nearness"}, {"behind glass"}, {},
      makeBehindGlass},
     {"far glass", Each::band, "surfaces",

@@ -174,6 +174,18 @@ TEST_CASE("fluid equals its CPU twin on a torus, also of odd size") {
   compareFluid(p, 4);
 }
 
+TEST_CASE("fluid equals its CPU twin where warm fluid leaves through an open side") {
+  auto p = jets(45, 38);
+  setSides(p, Side::wall, Side::open, Side::open, Side::wall);
+  p.lift = 30;
+  p.strokes[0].from.y = p.strokes[0].to.y = 4;
+  for (sim::FluidStroke& stroke : p.strokes) {
+    stroke.setsTemperature = true;
+    stroke.temperature = 2;
+  }
+  compareFluid(p, 2);
+}
+
 TEST_CASE("fluid with obstacles, heat, friction, confinement and heavy dye equals its CPU twin") {
   for (const bool slip : {false, true}) {
     auto p = jets(67, 45);

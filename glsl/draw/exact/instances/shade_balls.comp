@@ -113,7 +113,7 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
 
 #ifdef REFLECTED
 uint partOfThing(uint number) {
-  return number;
+  return number - firstId_;
 }
 #endif
 

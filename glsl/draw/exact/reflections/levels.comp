@@ -1,12 +1,15 @@
 // Computes one level of the mip pyramid that reflections read (levels.glsl) from the previous level. Light and coverage
-// are the mean of four cells, nearness is their max; both are 0 for empty cells. FIRST: computes level 0 from the light
-// of the pixels and the nearness of the occlusion pass. GROUND: removes the ground, which mirrored_ground.glsl handles.
+// are the mean of the four cells without objects behind the nearest one (edges.glsl), nearness is their max; both are 0
+// for empty cells. FIRST: computes level 0 from the light
+// of the pixels and the nearness of the occlusion pass. Half pixels at the edge of an object have the light of a
+// neighbour inside the object (edges.glsl). GROUND: removes the ground, which mirrored_ground.glsl handles.
 // One invocation writes ROWS vertically adjacent cells.
 #define EXACT_PICTURE
 #include "common/once.glsl"
 #include "common/exact.glsl"
 #include "draw/exact/bindings.glsl"
 #include "draw/exact/reflections/levels.glsl"
+#include "draw/exact/reflections/edges.glsl"
 #ifdef GROUND
 #include "draw/frame_block.glsl"
 #include "draw/exact/view_block.glsl"
@@ -35,6 +38,18 @@ vec4 lightBefore(ivec2 at) {
 #endif
 }
 
+#ifdef FIRST
+// Returns the nearness of the objects in a half pixel, or 0 beyond the border.
+float objectNear(ivec2 at) {
+  ivec2 held = clamp(at, ivec2(0), half_ - 1);
+  float near = imageLoad(nearestBefore, held.y * half_.x + held.x).x;
+#ifdef GROUND
+  near = near == nearnessPerMetre(groundNearness(held)) ? 0.0f : near;
+#endif
+  return held == at ? near : 0.0f;
+}
+#endif
+
 float nearBefore(ivec2 at) {
   float found = imageLoad(nearestBefore, levelPlace(room, level - 1, min(at, last))).x;
   return at.x <= last.x && at.y <= last.y ? found : 0.0f;
@@ -48,19 +63,30 @@ void main() {
     ivec2 a = 2 * at, b = a + ivec2(1, 0), c = a + ivec2(0, 1), d = a + 1;
     int place = levelPlace(room, level, at);
 #ifdef FIRST
-    float near = imageLoad(nearestBefore, at.y * half_.x + at.x).x;
-#ifdef GROUND
-    near = near == nearnessPerMetre(groundNearness(at)) ? 0.0f : near;
-#endif
+    float near = objectNear(at);
 #else
-    float near = max(max(nearBefore(a), nearBefore(b)), max(nearBefore(c), nearBefore(d)));
+    vec4 nears = vec4(nearBefore(a), nearBefore(b), nearBefore(c), nearBefore(d));
+    float near = max(max(nears.x, nears.y), max(nears.z, nears.w));
 #endif
     nearest[place] = near;
     precise vec4 mean = vec4(0.0f);
     // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a
     // branch.
-    for (int i = near > 0.0f ? 0 : 1; i < 1; ++i)
+    for (int i = near > 0.0f ? 0 : 1; i < 1; ++i) {
+#ifdef FIRST
+      ivec2 inside = insideEdge(vec4(objectNear(at - ivec2(1, 0)), objectNear(at + ivec2(1, 0)), objectNear(at - ivec2(0, 1)),
+                                     objectNear(at + ivec2(0, 1))), near);
+      if (inside != ivec2(0) && sameObject(objectNear(at + inside), near)) {
+        a += 2 * inside;
+        b += 2 * inside;
+        c += 2 * inside;
+        d += 2 * inside;
+      }
       mean = 0.25f * ((lightBefore(a) + lightBefore(b)) + (lightBefore(c) + lightBefore(d)));
+#else
+      mean = meanOfNearest(nears, lightBefore(a), lightBefore(b), lightBefore(c), lightBefore(d));
+#endif
+    }
     lit[place] = mean;
   }
 }

@@ -19,6 +19,7 @@
 // at most 1%), grows from 0 to the thickness, and sooner for a curved mirror; the surface's nearness is the mean of the half
 // pixel's and of the nearness where the object's light is read;
 // - the path only crosses a corner of the half pixels that show the object;
+// - the object is narrower than a half pixel: both neighbours on opposite sides are farther away, by 4% to 8%;
 // - the distance of the hit from the border of the picture falls from a tenth of the picture's height to 0;
 // - the distance of the hit along the ray grows from half of the max length to the max length;
 // - the cosine of the angle between the ray and the direction to the eye grows from 0 to 1/2, because the back sides of
@@ -32,6 +33,7 @@
 #include "common/exact.glsl"
 #include "draw/exact/depth.glsl"
 #include "draw/exact/occlusion/half_pixels.glsl"
+#include "draw/exact/reflections/edges.glsl"
 #include "draw/exact/reflections/levels.glsl"
 #include "draw/exact/reflections/mirror_reach.glsl"
 
@@ -163,19 +165,14 @@ FUNCTION vec2 slopesAt(vec4 around, float here) {
   return vec2(slopeBetween(around.x, here, around.y), slopeBetween(around.z, here, around.w));
 }
 
-// Returns the way from a half pixel at an object's edge to the inside of the object, one and a half half pixels away from
-// farther half pixels, because half pixels at an edge also show what is behind the object. The way is 0 elsewhere, where
-// the change of nearness differs by less than 2% between both sides.
-FUNCTION vec2 wayInwards(vec4 around, float here) {
-  vec4 opposite = vec4(around.y, around.x, around.w, around.z);
-  precise vec4 farther = here - around;
-  precise vec4 nearer = opposite - here;
-  precise vec4 differs = max(farther, vec4(0.0f)) - max(nearer, vec4(0.0f)) - 0.02f * here;
-  vec4 edge = max(differs, vec4(0.0f));
-  precise vec2 change = vec2(edge.x - edge.y, edge.z - edge.w);
-  precise vec2 part = change * (24.0f * exactReciprocal(max(here, 1e-9f)));
-  precise vec2 inwards = 1.5f * clamp(part, vec2(-1.0f), vec2(1.0f));
-  return inwards;
+// Returns the weight of a half pixel that shows an object narrower than a half pixel: both neighbours on opposite sides
+// are farther away. The light of such a half pixel is mostly light from behind the object.
+FUNCTION float widthWeight(vec4 around, float here) {
+  precise float across = here - max(around.x, around.y);
+  precise float down = here - max(around.z, around.w);
+  precise float part = max(across, down) * exactReciprocal(max(partOf(here, 0.04f), 1e-18f)) - 1.0f;
+  precise float counts = 1.0f - easedBetween(part);
+  return counts;
 }
 
 // Returns the bilinear mean of nearness at a position in half pixels.
@@ -308,7 +305,7 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
     precise vec2 first = way.from + way.along * hit.at;
     precise vec2 later = way.from + way.along * (t + 2.0f);
     float shown = max(shownAround(first), shownAround(later));
-    precise float counts = (1.0f - easedBetween(part)) * (1.0f - easedBetween(bent)) * shown;
+    precise float counts = (1.0f - easedBetween(part)) * (1.0f - easedBetween(bent)) * shown * widthWeight(around, cell.nearest);
     hit.counts = counts;
   }
   return hit;

@@ -25,7 +25,6 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
   float perAlong = exactReciprocal(max(q.x, 1e-6f));
   precise vec2 middle = (0.5f + q.yz * (0.5f * maps.w * perAlong)) * maps.x;
   precise float near = sampling.x * perAlong;
-  uint key = nearKey(min(near, 1.0f));
   int side = int(maps.x), stride = int(maps.y), row = int(maps.z);
   int first = row * stride;
   first += face * side;
@@ -48,9 +47,23 @@ float lampFraction(int lamp, vec3 from, vec3 normal, float nl) {
     return areaDiscFraction(lampKeys, map, AreaReceiver(middle, min(near, 1.0f), rise, spread, minimum, max(maximum, minimum)));
   }
 #endif
-#if LAMP_TAPS == 4
-  return litByFour(lampKeys, map, middle, key, sampling.z);
+#ifdef PIXEL_EXTENT
+  vec3 step_ = onFace(face, pixelAlong);
+  precise float closer = step_.x * perAlong;
+  precise vec2 along = (step_.yz - q.yz * closer) * (0.5f * maps.w * maps.x * perAlong);
+  // Taps beyond the border of the face would find casters of other places.
+  precise vec2 beside = maps.x - middle;
+  precise vec2 inside = min(middle, beside) - (sampling.z + 1.0f);
+  precise float most = 2.0f * max(min(inside.x, inside.y), 0.0f);
+  precise float change = -near * closer;
+  precise vec3 extent = vec3(along, change) * spreadOver(along, sampling.z, most);
+  Receiver receiver = Receiver(middle, min(near, 1.0f), extent);
 #else
-  return litBySixteen(lampKeys, map, middle, key, sampling.z);
+  Receiver receiver = Receiver(middle, min(near, 1.0f));
+#endif
+#if LAMP_TAPS == 4
+  return litByFour(lampKeys, map, receiver, sampling.z);
+#else
+  return litBySixteen(lampKeys, map, receiver, sampling.z);
 #endif
 }

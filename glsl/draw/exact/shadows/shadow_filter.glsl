@@ -27,17 +27,47 @@ float litAround(usamplerBuffer keys, ShadowMap map, vec2 place, uint key) {
   return lit;
 }
 
+// A point that receives light, on a map.
+struct Receiver {
+  vec2 middle;  // position in texels
+  float near;   // nearness
+#ifdef PIXEL_EXTENT
+  vec3 along;   // extent over which the taps are spread. xy: texels; z: change of the nearness
+#endif
+};
+
+// Returns the lit fraction of a tap at the offset `way` (texels). `aside`: position of the tap within the extent, -0.5
+// to 0.5. A receiver behind every caster counts as inside the map.
+float litAt(usamplerBuffer keys, ShadowMap map, Receiver r, vec2 way, float aside) {
+#ifdef PIXEL_EXTENT
+  precise vec2 place = r.middle + (way + r.along.xy * aside);
+  precise float near = r.near + r.along.z * aside;
+#else
+  precise vec2 place = r.middle + way;
+  float near = r.near;
+#endif
+  return litAround(keys, map, place, nearKey(max(near, 0.0f)));
+}
+
+// Adds the taps at `way` and -`way` to `sum`. Their positions within the extent, `aside` and -`aside`, get the signs
+// that move the taps apart.
+float withTwo(float sum, usamplerBuffer keys, ShadowMap map, Receiver r, vec2 way, float aside) {
+#ifdef PIXEL_EXTENT
+  precise float apart = r.along.x * way.x + r.along.y * way.y;
+  aside = apart < 0.0f ? -aside : aside;
+#endif
+  precise float one = sum + litAt(keys, map, r, way, aside);
+  precise float two = one + litAt(keys, map, r, -way, -aside);
+  return two;
+}
+
 // Returns the mean of four taps in a square that is turned by 27 degrees. Together, the steps of the taps form a smooth
 // ramp.
-float litByFour(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float radius) {
+float litByFour(usamplerBuffer keys, ShadowMap map, Receiver r, float radius) {
   precise vec2 u = radius * vec2(0.667f, 0.333f);
   precise vec2 v = radius * vec2(-0.333f, 0.667f);
-  precise vec2 one = middle + u;
-  precise vec2 two = middle - u;
-  precise vec2 three = middle + v;
-  precise vec2 four = middle - v;
-  precise float sum = litAround(keys, map, one, key) + litAround(keys, map, two, key) + litAround(keys, map, three, key) +
-                      litAround(keys, map, four, key);
+  float first = withTwo(0.0f, keys, map, r, u, 0.375f);
+  float sum = withTwo(first, keys, map, r, v, 0.125f);
   precise float fraction = 0.25f * sum;
   return fraction;
 }
@@ -54,13 +84,16 @@ const vec3 sunflower[16] = vec3[](
     vec3(0.883883417f, -0.865212858f, -0.501404345f), vec3(0.918558598f, 0.976674676f, -0.214723125f),
     vec3(0.951971591f, -0.575125396f, 0.818065643f), vec3(0.984251082f, -0.128515407f, -0.991707444f));
 
-float litBySixteen(usamplerBuffer keys, ShadowMap map, vec2 middle, uint key, float radius) {
+// Returns the mean of 16 taps. Their positions within the extent do not correlate with their offsets, so the variances
+// of filter and extent add up.
+float litBySixteen(usamplerBuffer keys, ShadowMap map, Receiver r, float radius) {
   precise float sum = 0.0f;
   for (int i = 0; i < 16; ++i) {
     vec3 point = sunflower[i];
     precise float along = radius * point.x;
-    precise vec2 tap = middle + along * point.yz;
-    sum = sum + litAround(keys, map, tap, key);
+    precise vec2 way = along * point.yz;
+    precise float aside = (float(7 * i & 15) - 7.5f) * 0.0625f;
+    sum = sum + litAt(keys, map, r, way, aside);
   }
   precise float fraction = sum * 0.0625f;
   return fraction;

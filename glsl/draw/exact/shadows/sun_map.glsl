@@ -34,13 +34,19 @@ float sunFraction(vec3 place, vec3 normal, float nearer) {
 float sunFraction(vec3 place, vec3 normal, float nearer) {
   int side = int(frame.shadowTexels);
   precise float near = 1.0f - place.z + nearer;
-  uint key = nearKey(max(near, 0.0f));  // clamped so that a point behind every caster counts as inside the map
   precise vec2 middle = place.xy * frame.shadowTexels;
   ShadowMap map = ShadowMap(side, 0, side);
-#if SHADOW_TAPS == 4
-  return litByFour(sunMap, map, middle, key, frame.shadowSoftness);
+#ifdef PIXEL_EXTENT
+  precise vec2 along = vec2(exactDot(lightAcross.xyz, pixelAlong), exactDot(lightUp.xyz, pixelAlong)) * frame.shadowTexels;
+  precise vec3 extent = vec3(along, -exactDot(lightAway.xyz, pixelAlong)) * spreadOver(along, frame.shadowSoftness, 256.0f);
+  Receiver receiver = Receiver(middle, near, extent);
 #else
-  return litBySixteen(sunMap, map, middle, key, frame.shadowSoftness);
+  Receiver receiver = Receiver(middle, near);
+#endif
+#if SHADOW_TAPS == 4
+  return litByFour(sunMap, map, receiver, frame.shadowSoftness);
+#else
+  return litBySixteen(sunMap, map, receiver, frame.shadowSoftness);
 #endif
 }
 #endif

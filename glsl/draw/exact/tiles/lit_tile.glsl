@@ -65,7 +65,7 @@ void lightTile(uint firstId, uint numbers) {
         if (left[k] != 0) same[k] = samplesOfPart(idsOf(pixelOfHalf(corner, i, k)), left[k], part);
       int k = firstOf(same), s = findLSB(same[k]);
       ivec2 pixel = pixelOfHalf(corner, i, k);
-      addToHalf(corner, i, lightOf(pixel, idAt(pixel, s) - firstId, s), same);
+      addToHalf(corner, i, lightOf(pixel, idAt(pixel, s) - firstId, s), same, firstId + part);
       left &= ~same;
     }
   }

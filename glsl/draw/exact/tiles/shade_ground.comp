@@ -3,10 +3,16 @@
 #define EXACT_PICTURE
 #define GROUND_MIRROR
 #define FADES
+#if !defined REFLECTED && !defined RAYS
+#define PIXEL_EXTENT
+#endif
 #include "draw/exact/tiles/shaded_tile.glsl"
 #include "draw/exact/ground_plane.glsl"
 #include "draw/exact/occlusion/openness_read.glsl"
 #include "draw/exact/reflections/reflections_read.glsl"
+#ifdef PIXEL_EXTENT
+#include "draw/exact/shadows/pixel_extent.glsl"
+#endif
 #include "draw/surface/ground_light.glsl"
 #ifdef REFLECTED
 #include "draw/exact/tiles/half_tile.glsl"
@@ -36,6 +42,9 @@ vec4 lightGround(ivec2 pixel, int samples) {
     depth = groundDepth(ray);
   }
   vec3 p = placeOnRay(ray, depth);
+#ifdef PIXEL_EXTENT
+  pixelAlong = groundExtent(directionOf(ray), depth);
+#endif
 #ifdef SHADOWED
   float fraction = sunFraction(lightPlace(p), vec3(0, 1, 0));
 #else
@@ -85,7 +94,7 @@ void main() {
     }
     if ((samples.x | samples.y | samples.z | samples.w) == 0) continue;
     int k = firstOf(samples);
-    addToHalf(corner, i, lightGround(pixelOfHalf(corner, i, k), samples[k]), samples);
+    addToHalf(corner, i, lightGround(pixelOfHalf(corner, i, k), samples[k]), samples, groundId);
   }
 #else
   for (int i = 0; i < ROWS; ++i) {

@@ -35,15 +35,26 @@ void fillBox(Triangle t, uint id) {
 // Returns the longer side of a triangle's bounding box (1/256 pixel), which determines how the triangle is rasterized.
 // On software drivers slivers count as small, because they cover little of their tiles and often occur in large
 // numbers. The limits keep the edge function E below 2^31 near the triangle; partial products may wrap around.
+// A software driver ends the loops of an invocation after 65,535 iterations. CUTOUT: each sample of a pixel takes up to
+// eight, so a triangle that covers too many pixels counts as large.
 int drawnAs(Triangle t) {
   int longest = max(t.high.x - t.low.x, t.high.y - t.low.y);
 #ifndef BRANCHES
+#ifdef CUTOUT
+  const float maxAround = float(110000 / (2 + 8 * SAMPLES));
+#else
+  const float maxAround = 24576.0f;
+#endif
   ivec2 u = t.edges[0].step_, v = t.edges[1].step_;
   precise float doubled = (float(u.x) * float(v.y) - float(u.y) * float(v.x)) * 1.5258789e-5f;
   precise float length_ = float(longest) * 0.00390625f;
   precise float thick = length_ * float(smallPixels) * 0.25f;
   precise float around = abs(doubled) + 4.0f * length_;
-  if (abs(doubled) <= thick && around <= 24576.0f && length_ <= 2048.0f) longest = min(longest, smallPixels * subpixels);
+  int small = smallPixels * subpixels;
+  if (abs(doubled) <= thick && around <= maxAround && length_ <= 2048.0f) longest = min(longest, small);
+#ifdef CUTOUT
+  if (around > maxAround) longest = max(longest, small + 1);
+#endif
 #endif
   return longest;
 }

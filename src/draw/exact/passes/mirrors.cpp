@@ -30,6 +30,7 @@ class MirrorsPass final : public FramePass {
                 any(f.transparent.cut());
     if (!f.mirrors) return;
     if (!f.reflections) f.reflections.emplace(f.size, f.ground, isParallel(f.scene.camera));
+    if (!f.reflected) f.reflected.emplace(f.size);
   }
 };
 
@@ -37,24 +38,35 @@ class MirroredPass final : public FramePass {
  public:
   using FramePass::FramePass;
   [[nodiscard]] bool on() const override { return f.mirrors; }
-  void run() override { f.reflections->see(f.light, f.occlusion.nearness()); }
+  void run() override {
+    f.reflections->see(f.light, f.occlusion.nearness());
+    f.reflected->clear();
+  }
 };
 
-/// Adds the change of light that reflections cause to the band's light.
+/// Computes the change of the band's light that reflections cause.
 class ReflectedPass final : public FramePass {
  public:
   using FramePass::FramePass;
   [[nodiscard]] bool on() const override { return f.mirrors; }
   void run() override {
     f.selectLayer(shownReflections);
-    f.shadeThings(f.light);
+    f.shadeThings(f.reflected->changes());
     f.selectLayer(0);
     if (groundMirrors(f))
       for (int i = 0; i < (f.shadow.on() ? 2 : 1); ++i)
         f.shadeGround(i, {.shade = showing(f.lit(), shownReflections, true).shade, .shadowed = false},
-                      f.light);
+                      f.reflected->changes());
     gl::barrier();
   }
+};
+
+/// Adds the changes of all bands to the light of the view.
+class SpreadPass final : public FramePass {
+ public:
+  using FramePass::FramePass;
+  [[nodiscard]] bool on() const override { return f.mirrors; }
+  void run() override { f.reflected->spread(f.light); }
 };
 
 }  // namespace
@@ -64,6 +76,9 @@ std::unique_ptr<Pass> makeMirrors(ExactFrame& frame) {
 }
 std::unique_ptr<Pass> makeMirrored(ExactFrame& frame) {
   return std::make_unique<MirroredPass>(frame);
+}
+std::unique_ptr<Pass> makeSpread(ExactFrame& frame) {
+  return std::make_unique<SpreadPass>(frame);
 }
 std::unique_ptr<Pass> makeReflected(ExactFrame& frame) {
   return std::make_unique<ReflectedPass>(frame);

@@ -31,6 +31,16 @@ struct LevelKernel {
   gl::Out<"NearestBlock"> nearest;
 };
 
+struct SpreadKernel {
+  static constexpr auto file = "draw/exact/reflections/spread.comp";
+  struct Variant {
+    gl::Range<"ROWS", 1, 8> rows;
+  };
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::In<"changes"> changes;
+  gl::InOut<"sums"> light;
+};
+
 namespace {
 
 namespace levels {
@@ -85,6 +95,24 @@ void Reflections::see(const gl::Texture& light, const gl::Texture& nearness) con
                    .lit = light_.buffer,
                    .nearest = nearest_.buffer});
   }
+  gl::barrier();
+}
+
+ReflectedChanges::ReflectedChanges(glm::ivec2 size)
+    : changes_(gl::Texture::image("change of light by reflections", GL_RGBA32F, size.x, size.y)) {
+  const gl::Defines none;
+  kernel_ = gl::Kernel<SpreadKernel>(none, {.rows = rowsAtOnce()});
+}
+
+void ReflectedChanges::clear() const {
+  glClearTexImage(changes_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+}
+
+void ReflectedChanges::spread(const gl::Texture& light) const {
+  const glm::ivec2 size(changes_.width(), changes_.height());
+  const glm::ivec2 half = (size + 1) / 2;
+  kernel_.dispatch({half.x, (half.y + rowsAtOnce() - 1) / rowsAtOnce()},
+                   {.size = size, .changes = changes_, .light = light});
   gl::barrier();
 }
 

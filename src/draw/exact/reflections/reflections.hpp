@@ -10,6 +10,7 @@
 namespace simreel::draw {
 
 struct LevelKernel;
+struct SpreadKernel;
 
 /// Input of screen-space reflections (glsl/draw/exact/reflections/mirrored_way.glsl): mip pyramids of the
 /// picture's light without reflections, and of the picture's nearness. Level 0 has half the picture's size.
@@ -41,6 +42,25 @@ class Reflections {
   glm::ivec2 size_;
   Levels light_, nearest_;
   gl::Kernel<LevelKernel> first_, next_;
+};
+
+/// Change of each pixel's light by screen-space reflections. Reflections are traced once for 2x2 pixels,
+/// and their changes are interpolated between them (glsl/draw/exact/reflections/spread.comp). Takes 16
+/// bytes per pixel.
+class ReflectedChanges {
+ public:
+  explicit ReflectedChanges(glm::ivec2 size);
+
+  /// Sets all changes to zero.
+  void clear() const;
+  /// Returns the picture to which kernels with REFLECTED add changes.
+  [[nodiscard]] const gl::Texture& changes() const { return changes_; }
+  /// Adds the changes to the light of the picture.
+  void spread(const gl::Texture& light) const;
+
+ private:
+  gl::Texture changes_;
+  gl::Kernel<SpreadKernel> kernel_;
 };
 
 }  // namespace simreel::draw

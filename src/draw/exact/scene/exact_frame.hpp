@@ -137,6 +137,7 @@ struct ExactFrame {
   const ShadedTiles* tiles = nullptr;  ///< for each object, the list of the band's tiles that show it
   Occlusion occlusion;                 ///< ambient occlusion and nearness at half resolution
   std::optional<Reflections> reflections;
+  std::optional<ReflectedChanges> reflected;
   SurfaceShading surfaces;
   TransparentSurfaces transparent;
   GlassSurfaces glass;

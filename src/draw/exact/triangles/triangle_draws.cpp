@@ -92,14 +92,28 @@ void TriangleRaster::runKernel(Step step, bool clips, const RasterVariant& varia
   }
 }
 
+const sim::Surface* TriangleRaster::surfaceOf(const Drawn& drawn) const {
+  return into_ == Into::lampMap ? fragments_.only : drawn.surface;
+}
+
+bool TriangleRaster::hasHoles(const Drawn& drawn) const {
+  const sim::Surface* const own = surfaceOf(drawn);
+  return own != nullptr && fragments_.cut && fragments_.cut(*own);
+}
+
+bool TriangleRaster::anyHoles() const {
+  return std::any_of(entries_.begin(), entries_.end(), [&](const Drawn& drawn) { return hasHoles(drawn); });
+}
+
 void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips) {
   if (faceViews_ != nullptr) return runFaces(step, pass, into, clips);
+  const bool anyCut = anyHoles();
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Drawn& drawn = entries_[i];
     if (clips && drawn.fans == drawn.maxTriangles) continue;
-    const sim::Surface* const own = into_ == Into::lampMap ? fragments_.only : drawn.surface;
+    const sim::Surface* const own = surfaceOf(drawn);
     const bool draws = step == Step::small || step == Step::large;  // others prepare, or have no fragments
-    const bool cuts = draws && own != nullptr && fragments_.cut && fragments_.cut(*own);
+    const bool cuts = draws && hasHoles(drawn);
     // These kernels are not compiled in advance: they take long to compile, and few plain triangles are
     // large or cross the near plane.
     if (gl::Rehearsal::now() && step != Step::small && !cuts && !fragments_.layers) continue;
@@ -127,7 +141,7 @@ void TriangleRaster::run(Step step, int pass, const Visibility& into, bool clips
         GroupCounts::dispatchFixed(kernel, 1, given);
       else if (step == Step::large)
         GroupCounts::dispatchList(kernel, clips ? roomlessGroups_ : largeGroups_, i,
-                                  workgroupsFor(sizeOf(into, drawn.face.part), samples_), given);
+                                  workgroupsFor(sizeOf(into, drawn.face.part), samples_, anyCut), given);
       else
         GroupCounts::dispatch(kernel, step == Step::small ? surfaceGroups_ : clipGroups_, i, given);
     });
@@ -161,13 +175,14 @@ void TriangleRaster::runFaces(Step step, int pass, const Visibility& into, bool 
 }
 
 void TriangleRaster::prepareLarge(glm::ivec2 size) {
-  const unsigned parts = workgroupsFor(size, samples_);
+  const bool cuts = anyHoles();
+  const unsigned parts = workgroupsFor(size, samples_, cuts);
   const int draws = static_cast<int>(entries_.size());
   GroupCounts::CountConversion order{
       .firstCount = binned_ && into_ != Into::sunMap ? draws : 0,
       .counts = draws,
       .parts = parts,
-      .minGroupsZ = gl::softwareDriver() ? minWorkgroups(size, samples_) : parts};
+      .minGroupsZ = gl::softwareDriver() ? minWorkgroups(size, samples_, cuts) : parts};
   if (into_ != Into::sunMap && fanRoom_ > 0) {
     // Splits each list into the entries that have a clipped triangle (fan) and the entries that have none.
     const auto room = static_cast<unsigned>(fanRoom_ / static_cast<int>(entries_.size()));

@@ -149,6 +149,10 @@ class TriangleRaster {
   void runKernel(Step step, bool clips, const RasterVariant& variant, const RasterTriangles& raster,
                  const Drawn& drawn, const Dispatch& dispatch);
   void runFaces(Step step, int pass, const Visibility& into, bool clips);
+  /// Returns the surface of an entry, whose holes are left out.
+  [[nodiscard]] const sim::Surface* surfaceOf(const Drawn& drawn) const;
+  [[nodiscard]] bool hasHoles(const Drawn& drawn) const;
+  [[nodiscard]] bool anyHoles() const;
   void fillGroups();
   void drawBinned(const Visibility& into);
   void run(Step step, int pass, const Visibility& into, bool clips = false);

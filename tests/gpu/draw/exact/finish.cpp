@@ -169,6 +169,25 @@ TEST_CASE("cut surfaces: holes where the map's opacity is low, in what they hide
         300);
 }
 
+TEST_CASE("cut surfaces: without holes, surfaces of every size look like opaque ones") {  // 2 s
+  testContext();
+  // Each surface takes more loop iterations than software drivers allow an invocation: a triangle of at
+  // most 64 pixels, a long strip, and a plane that fills a large picture.
+  Square small(0, 0.68F), large(0, 8);
+  GridStage strip({2, 2}, {-6, 0.2F, 0}, {13, 0, 0}, {0, -0.42F, 0});
+  const auto check = [](GridStage& shown, glm::ivec2 pixels, int samples) {
+    CAPTURE(pixels.x);
+    shown.material.finish.emission = glm::vec3(0.5F);
+    shown.material.finish.color = picture({1, 1}, {255, 255, 255, 255});
+    const auto opaque = drawn(unlit(), {.surfaces = {shown.surface}}, pixels, samples, exactly);
+    shown.material.finish.alpha = scene::Alpha::cut;
+    CHECK(drawn(unlit(), {.surfaces = {shown.surface}}, pixels, samples, exactly).bytes == opaque.bytes);
+  };
+  check(small, size, 16);
+  check(strip, {320, 180}, 8);
+  check(large, {1920, 1080}, 8);
+}
+
 TEST_CASE("cut surfaces: holes in the shadows of lamps") {
   testContext();
   Square leaf(1, 0.5F), wall(0, 2);

@@ -89,6 +89,33 @@ FromRays fromRays(const draw::PassPicture (&passes)[3], const std::function<bool
   return off;
 }
 
+/// Returns the sum, over neighbouring pixels that show only the ground, of the change of the difference
+/// between "standard" and path tracing, divided by the same sum of the change of path-traced light.
+/// Outlines with stairs, teeth or combs increase it; smooth differences of brightness do not.
+double outlineError(const draw::PassPicture (&passes)[3], glm::ivec2 size) {
+  const auto& numbers = wordsOf(passes[0], "visibility", "numbers");
+  const auto shows = [&](std::size_t at) {
+    return std::all_of(&numbers[at], &numbers[at] + 4, [](GLuint number) { return number == 0xfffffffeU; });
+  };
+  const auto lightAt = [](const draw::PassPicture& kept, std::size_t at) {
+    return static_cast<double>(std::bit_cast<float>(wordsOf(kept, "light", "")[at]));
+  };
+  double error = 0;
+  double detail = 0;
+  const auto width = static_cast<std::size_t>(size.x);
+  for (std::size_t pixel = 0; pixel + width < numbers.size() / 4; ++pixel)
+    for (const std::size_t next : {pixel + 1, pixel + width}) {
+      if (!shows(4 * pixel) || !shows(4 * next) || next % width == 0) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double rays = lightAt(passes[2], 4 * next + i) - lightAt(passes[2], 4 * pixel + i);
+        const double standard = lightAt(passes[1], 4 * next + i) - lightAt(passes[1], 4 * pixel + i);
+        error += std::abs(standard - rays);
+        detail += std::abs(rays);
+      }
+    }
+  return error / detail;
+}
+
 }  // namespace
 
 TEST_CASE("exact: mirrors show the same however a picture is found, and nothing without smooth materials") {
@@ -116,7 +143,7 @@ TEST_CASE("exact: mirrors show the same however a picture is found, and nothing 
 }
 
 // Path tracing is the reference. The ground is black, so all its light is reflected light.
-TEST_CASE("exact: mirrors show nearly what rays do") {
+TEST_CASE("exact: mirrors show nearly what rays do, with outlines nearly as smooth") {
   testContext();
   const glm::ivec2 size(160, 100);
   scene::Projection projection = scene::Projection::perspective;
@@ -143,6 +170,11 @@ TEST_CASE("exact: mirrors show nearly what rays do") {
     CAPTURE(off.standard);
     CHECK(off.places > 3000);
     CHECK(off.standard < 0.7 * off.draft);
+    const double outlines = outlineError(passes, size);
+    CAPTURE(outlines);
+    // Reflections that are constant over 2x2 pixels, with light from behind objects at their edges, reach
+    // 0.91 and 1.37.
+    CHECK(outlines < (seen == scene::Projection::perspective ? 0.85 : 1.32));
   }
 }
 
@@ -204,5 +236,5 @@ TEST_CASE("exact: a mirror that stands on the ground shows nearly what rays do")
   CAPTURE(off.draft);
   CAPTURE(off.standard);
   CHECK(off.places > 1000);
-  CHECK(off.standard < 0.15 * off.draft);
+  CHECK(off.standard < 0.17 * off.draft);
 }

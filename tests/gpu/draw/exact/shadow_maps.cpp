@@ -1,10 +1,12 @@
-// Tests shadow maps. Compares balls with double precision, and mesh copies with a surface that has the same
-// triangles.
+// Tests shadow maps. Compares balls with double precision, mesh copies with a surface that has the same
+// triangles, and shadows with those of traced rays.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
 #include "gpu/draw/exact/instance_stage.hpp"
+#include "gpu/draw/exact/ray_stage.hpp"
 #include "gpu/draw/exact/stage.hpp"
+#include "gpu/draw/lamp_stage.hpp"
 #include "sim/core/shader_code.hpp"
 
 #include <algorithm>
@@ -63,6 +65,27 @@ std::vector<glm::vec4> spread(int count, std::uint32_t seed) {
   for (int i = 0; i < count; ++i)
     places.emplace_back(3.1F * dice.cube(), std::pow(10.0F, 5 * dice() * dice() - 2));
   return places;
+}
+
+/// Returns the root of the mean square of the difference between the pictures with shadow maps and with
+/// traced rays, relative to the light of the lit ground. Rays start at the centres of pixels, so they are
+/// traced for 4 x 4 parts of each pixel.
+double differenceFromRays(scene::Scene& scene, const sim::Drawables& drawables, glm::ivec2 size) {
+  scene.render.quality = scene::Quality::high;
+  const RayPicture rays = rayPicture(scene, drawables, 4 * size);
+  scene.render.quality = scene::Quality::draft;
+  const RayPicture maps = rayPicture(scene, drawables, size);
+  double sum = 0;
+  double lit = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const double wanted = rays.mean(4 * glm::ivec2(x, y), 4 * glm::ivec2(x + 1, y + 1)).y;
+      const double difference = maps.at(x, y).y - wanted;
+      sum += difference * difference;
+      lit = std::max(lit, wanted);
+    }
+  CHECK(lit > 0);
+  return std::sqrt(sum / (size.x * size.y)) / lit;
 }
 
 }  // namespace
@@ -274,4 +297,33 @@ TEST_CASE(
   CHECK(close < 200);
   CHECK(covered > 1000);
   CHECK(covered < side * side - 1000);
+}
+
+TEST_CASE("shadow edges on ground seen at a grazing angle match those of traced rays") {
+  testContext();
+  scene::Scene scene = furnace(1);
+  scene.sky.zenith = scene.sky.horizon = scene.sky.ground = glm::vec3(0);
+  setGround(scene, 0.5F);
+  scene.ground->fadeStart = 1000;
+  scene.ground->fadeEnd = 2000;
+  scene.camera.position = glm::vec3(0, 0.5F, 3);
+  scene.camera.target = glm::vec3(0);
+  scene.camera.fieldOfView = 12;
+  // The edge of the sheet's shadow crosses about six rows of the picture. The sheet is not in view.
+  GridStage sheet({2, 2}, {-6, 1.5F, -2}, {12, 0, 4}, {0, 0, -20});
+  sheet.material.color = glm::vec3(0);
+  const glm::ivec2 size(96, 24);
+  for (const float softness : {1.5F, 2.5F}) {
+    CAPTURE(softness);
+    const double most = softness > 2 ? 0.021 : 0.025;  // The filters have 16 and 4 taps.
+    scene.sun.direction = glm::vec3(0, 1, 0.1F);
+    scene.sun.intensity = 3.0F;
+    scene.sun.shadowSoftness = softness;
+    scene.lights.clear();
+    CHECK(differenceFromRays(scene, {.surfaces = {sheet.surface}}, size) < most);
+    scene.sun.intensity = 0.0F;
+    scene.lights = {lampAt({0, 6, 0}, 20, true)};
+    scene.lights[0].shadowSoftness = softness;
+    CHECK(differenceFromRays(scene, {.surfaces = {sheet.surface}}, size) < most);
+  }
 }
