@@ -7,6 +7,7 @@
 #include "scene/framed_in_part.hpp"
 #include "scene/outline.hpp"
 #include "scene/panels.hpp"
+#include "scene/picture_area.hpp"
 #include "scene/set_apart.hpp"
 
 #include <algorithm>
@@ -289,6 +290,15 @@ void makeRoom(Scene& scene) {
   for (Object& object : scene.objects)
     if (auto* field = dynamic_cast<Covering*>(object.parameters.get()))
       if (field->covering() == Covering::Extent::whole) field->leaveRoom(room);
+}
+
+void moveAside(Scene& scene) {
+  std::vector<PictureArea> taken;
+  for (const Object& object : scene.objects)
+    if (const auto* takes = dynamic_cast<const TakesArea*>(object.parameters.get()))
+      taken.push_back(takes->area());
+  for (Object& object : scene.objects)
+    if (auto* moves = dynamic_cast<MovesAside*>(object.parameters.get())) moves->moveAside(taken);
 }
 
 void frameObjects(Scene& scene, const std::vector<Framed>& framed) {

@@ -157,8 +157,9 @@ void warnHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics) 
   const Object* const cover = covers(scene, Covering::Extent::whole);
   if (cover == nullptr) return;
   if (scene.panels.empty()) warnHiddenOn(root, scene, *cover, diagnostics);
-  const auto hidden = std::find_if(scene.objects.begin(), scene.objects.end(),
-                                   [](const Object& object) { return object.parameters->framed(); });
+  const auto hidden = std::find_if(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+    return &object != cover && object.parameters->framed();
+  });
   if (!scene.panels.empty()) return;  // a panel may show each of them
   if (hidden == scene.objects.end()) return warnUnlit(root, *cover, diagnostics);
   const bool writes = hidden->kind == "text";

@@ -13,6 +13,7 @@
 #include "scene/objects.hpp"
 #include "scene/override.hpp"
 #include "scene/panels.hpp"
+#include "scene/picture_area.hpp"
 #include "scene/scene_source.hpp"
 #include "scene/sections.hpp"
 #include "scene/stage.hpp"
@@ -217,7 +218,10 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
     for (Object& object : scene.objects)
       if (auto* fitted = dynamic_cast<Fitted*>(object.parameters.get()))
         fitted->fitPicture(viewSize(scene));
-  if (context.diagnostics.count() == errorsBefore) makeRoom(scene);
+  if (context.diagnostics.count() == errorsBefore) {
+    makeRoom(scene);
+    moveAside(scene);
+  }
   const Node* time = root.find("time");
   if (*version > 1 && context.diagnostics.count() == errorsBefore &&
       (time == nullptr || time->find("start") == nullptr))

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/picture_area.hpp"
 #include "sim/core/kind.hpp"
 
 #include <optional>
@@ -11,7 +12,7 @@ namespace simreel::sim {
 
 /// Parameters of the object kind "chart": curves over the picture that show quantities of other objects
 /// over time.
-struct ChartParameters : ObjectParameters {
+struct ChartParameters : ObjectParameters, scene::TakesArea {
   struct Curve {
     std::string of;                  ///< name of the quantity, OBJECT.QUANTITY
     std::string label;               ///< name on the chart; if empty, the quantity's name
@@ -34,6 +35,7 @@ struct ChartParameters : ObjectParameters {
   void describe(scene::Fields& fields) override;
   [[nodiscard]] const char* drawnWith() const override { return "its \"curves\""; }
   void ports(Ports& ports) const override;
+  [[nodiscard]] scene::PictureArea area() const override { return {{x, y}, {x + width, y + height}}; }
 };
 
 /// Limits of the value axis.

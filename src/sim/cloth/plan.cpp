@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 namespace simreel::sim {
@@ -56,6 +58,22 @@ glm::vec4 turned(const shader::PinFrame& frame, glm::vec3 way) {
   return {row(frame.row0), row(frame.row1), row(frame.row2), 1.0F};
 }
 
+/// Returns a remark on a "wind" that is far stronger than gravity; empty if it is not. A scene that means
+/// the velocity of air gives such a force.
+std::string windAdvice(const ClothParameters& parameters) {
+  double force = 0;
+  for (const auto& key : parameters.wind.keys())
+    force = std::max(force, static_cast<double>(glm::length(key.value)));
+  const double weight = 9.81 * static_cast<double>(parameters.particleMass(parameters.size / 2));
+  constexpr double strong = 50;
+  if (parameters.mesh || force <= strong * weight) return "";
+  return fmt::format(
+      "\"wind\" is a force on each particle in N, here up to {:.3g} times the particle's weight; for "
+      "moving "
+      "air give \"air\": {{\"velocity\": [x, y, z]}} in m/s instead",
+      force / weight);
+}
+
 }  // namespace
 
 ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSeconds,
@@ -70,6 +88,7 @@ ClothPlan::ClothPlan(const ClothParameters& parameters, int seed, double frameSe
       edge_(edge > 0 ? edge : parameters.spacing) {
   if (const std::string problem = parameters_.instability(frameSeconds); !problem.empty())
     warn("cloth: {}", problem);
+  if (const std::string advice = windAdvice(parameters_); !advice.empty()) warn("cloth: {}", advice);
   if (parameters_.fabric) {
     const shader::FabricConstants fabric = parameters_.fabric->constants();
     parameters_.shearCompliance = 1.0F / fabric.shear;

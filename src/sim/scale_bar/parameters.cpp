@@ -44,6 +44,8 @@ void ScaleBarParameters::describe(scene::Fields& f) {
   f.leftOut("length", "the greatest of 1, 2 or 5 times a power of ten that fits");
   f.number("most", most, {0.01, 1}, "", "Greatest length as a fraction of the picture's width.");
   f.vector("corner", corner, {-10, 10}, "", "Left end of the bar as fractions of the picture, [x, y, 0].");
+  f.leftOut("corner", "[0.05,0.93,0]; in version 2 beside a chart that is there");
+  moves = f.version() > 1 && !f.given("corner");
   f.number("height", height, {0.001, 1}, "",
            "Height of capital letters, as a fraction of the picture's height.");
   f.asset("font", font, "A TrueType or OpenType file.");
@@ -60,6 +62,19 @@ void ScaleBarParameters::describe(scene::Fields& f) {
 
 std::filesystem::path ScaleBarParameters::fontFile() const {
   return font.empty() ? assetFolder() / "fonts" / "OpenSans-Regular.ttf" : font;
+}
+
+void ScaleBarParameters::moveAside(const std::vector<scene::PictureArea>& taken) {
+  if (!moves) return;
+  constexpr float apart = 0.03F;  // distance of the bar's panel from a chart
+  for (const scene::PictureArea& area : taken) {
+    const bool beside = corner.x > area.to.x || corner.x + most < area.from.x;
+    if (beside || corner.y - 2 * height > area.to.y || corner.y < area.from.y) continue;
+    if (area.to.x + apart + most < 1)
+      corner.x = area.to.x + apart;
+    else
+      corner.y = area.from.y - apart;
+  }
 }
 
 void ScaleBarParameters::ports(Ports& ports) const {

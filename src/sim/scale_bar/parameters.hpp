@@ -1,9 +1,11 @@
 #pragma once
+#include "scene/picture_area.hpp"
 #include "sim/core/kind.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -22,7 +24,7 @@ struct ScaleLength {
 [[nodiscard]] ScaleLength givenLength(double length, const std::string& unit);
 
 /// Parameters of the object kind "scaleBar".
-struct ScaleBarParameters : ObjectParameters {
+struct ScaleBarParameters : ObjectParameters, scene::MovesAside {
   std::string of;                     ///< name of a field; if empty, the bar shows the scale of the
                                       ///< camera's picture
   double cell = 1;                    ///< width of a cell of the field, in `unit`
@@ -30,6 +32,7 @@ struct ScaleBarParameters : ObjectParameters {
   std::optional<double> length;       ///< length of the bar; if empty, a round length
   float most = 0.25F;                 ///< maximum length as a fraction of the picture's width
   glm::vec3 corner{0.05F, 0.93F, 0};  ///< position of the bar's left end, as fractions of the picture
+  bool moves = false;                 ///< true since version 2 if the scene gives no corner
   float height = 0.025F;              ///< height of capitals as a fraction of the picture's height
   std::filesystem::path font;         ///< font file; if empty, the bundled font
   glm::vec3 color{1};                 ///< colour, linear RGB
@@ -37,6 +40,7 @@ struct ScaleBarParameters : ObjectParameters {
 
   void describe(scene::Fields& fields) override;
   void ports(Ports& ports) const override;
+  void moveAside(const std::vector<scene::PictureArea>& taken) override;
   [[nodiscard]] std::filesystem::path fontFile() const;
   [[nodiscard]] const char* drawnWith() const override { return "its \"color\""; }
 };

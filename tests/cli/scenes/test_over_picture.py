@@ -41,6 +41,24 @@ class OverPicture(Case):
         self.scene({"f": {"flow": {"file": "flow.csv"}}, "s": {"streamlines": {"of": "f", "separation": 0.1}}})
         self.assertEqual(self.picture("a"), self.picture("b", "-D", "objects.s.streamlines.high=2"))
 
+    def test_a_scale_bar_stands_beside_a_chart(self):
+        bar = {"scaleBar": {"of": "l"}}
+        chart = {"chart": {"curves": [{"of": "l.population"}], "x": 0, "width": 0.5}}
+        self.scene({"l": LIFE, "c": chart, "s": bar})
+        self.assertEqual(self.picture("a"), self.picture("b", "-D", "objects.s.scaleBar.corner=[0.53,0.93,0]"))
+        self.scene({"l": LIFE, "s": bar})
+        self.assertEqual(self.picture("c"), self.picture("d", "-D", "objects.s.scaleBar.corner=[0.05,0.93,0]"))
+
+    def test_a_wind_that_is_much_stronger_than_gravity_is_reported(self):
+        cloth = {"size": [5, 5], "fabric": "silk", "pins": [{"rows": [0]}], "substeps": 200}
+        self.scene({"c": {"cloth": {**cloth, "wind": [3, 0, 2]}}})
+        done = self.good("render", "a.json", "-o", "a.png", "--frames", "0", "--no-manifest")
+        self.assertIn('"wind" is a force on each particle in N', done.err)
+        self.assertIn('give "air": {"velocity": [x, y, z]}', done.err)
+        self.scene({"c": {"cloth": {**cloth, "wind": [0.01, 0, 0]}}})
+        done = self.good("render", "a.json", "-o", "b.png", "--frames", "0", "--no-manifest")
+        self.assertNotIn("force on each particle", done.err)
+
     def test_light_of_a_scene_that_is_one_field_is_reported(self):
         for key, value in (("stage", "paper"), ("sun", {"intensity": 2}), ("ground", {})):
             self.scene({"l": LIFE}, **{key: value})
@@ -54,8 +72,7 @@ class OverPicture(Case):
         pond = {"water": {"size": [16, 16], "terrain": {"bed": -0.5}}}
         self.scene({"p": pond, "b": {"colorBar": {"of": "p.speed"}}})
         self.assertIn('explains the colours of "p.speed", which nothing shows', self.good("validate", "a.json").err)
-        part = {"layer": "over", "extent": [0.5, 0.5, 0]}
-        self.scene({"p": {"water": {**pond["water"], "display": part}}, "b": {"colorBar": {"of": "p"}}})
+        self.scene({"p": {"water": {**pond["water"], "display": {"layer": "over"}}}, "b": {"colorBar": {"of": "p"}}})
         self.assertEqual(self.good("validate", "a.json").err, "")
 
 
