@@ -10,8 +10,8 @@ namespace simreel::draw {
 PassMaker makeSkins, makeThings, makeRayScene, makeJoinedSurfaces, makeLampMaps, makeSunMap, makeMirrors,
     makeView, makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended,
     makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected, makeSpread,
-    makeBehindGlass, makeFarGlass, makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow, makeFieldsBehind,
-    makeScatter, makeFilm;
+    makeBehindGlass, makeFarGlass, makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow,
+    makeFieldsBehind, makeScatter, makeFilm;
 
 /// Resources that hold only the current band of a picture. A pass with Each::view ends the loop over the
 /// bands. If later passes read one of these resources, the passes that wrote it run again, band by band.

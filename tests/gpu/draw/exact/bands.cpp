@@ -141,6 +141,7 @@ TEST_CASE("exact: a picture's stages are those of the list of passes, in its ord
   CHECK(stages(40) ==
         "shadow; visibility; occlusion; visibility; occlusion; "
         "visibility; surfaces; visibility; surfaces; reflections; "
-        "visibility; surfaces; reflections; instances; visibility; surfaces; reflections; instances; "
+        "visibility; surfaces; reflections; visibility; surfaces; reflections; "
+        "visibility; surfaces; instances; visibility; surfaces; instances; "
         "bloom; tone map; ");
 }
