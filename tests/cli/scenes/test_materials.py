@@ -268,6 +268,14 @@ class Materials(Case):
             self.scene("square.gltf", material)
             self.bad_scene([words], "render", "square.json", "--frames", "0", "-o", "out/")
 
+    def test_high_draws_emission_beside_a_skin_without_maps(self):
+        square = {"mesh": {"shape": "plane", "size": [1, 0, 1], "position": [0, 0, 0]}}
+        self.write("skin.json", {"version": 1, "stage": False, "render": {"quality": "high", "raySamples": 1}, "camera": {"position": [0, 3, 3], "target": [0, 0, 0]},
+                                 "objects": {"hide": {"grayScott": {"size": [8, 8], "display": {"layer": "none"}}},
+                                             "body": {**square, "material": {"skin": {"field": "hide", "look": "map"}}},
+                                             "eye": {"mesh": {**square["mesh"], "position": [1, 0, 0]}, "material": {"emission": [1, 1, 1]}}}})
+        self.good("render", "skin.json", "--frames", "0", "--size", "16x16", "-o", "out/")
+
 
 if __name__ == "__main__":
     main()

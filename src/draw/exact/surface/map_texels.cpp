@@ -118,6 +118,8 @@ glm::ivec4 MapTexels::place(const scene::Map& map, Holds holds) {
 }
 
 const gl::Texture& MapTexels::texels() {
+  // Kernels that can read maps need a texture even if the materials have none.
+  if (texels_.empty()) texels_.emplace_back();
   if (texels_.size() > uploaded_) {
     view_ = {};
     buffer_ = gl::Buffer::ofTexels<Texel>("maps of materials", texels_);

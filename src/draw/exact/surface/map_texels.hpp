@@ -27,7 +27,7 @@ class MapTexels {
   /// channel. Returns 0 if the map is empty. Throws UserError as loadPicture() does, except that
   /// transparent pixels are allowed, and UserError(device) if all maps together exceed the device's limit.
   glm::ivec4 place(const scene::Map& map, Holds holds);
-  /// Returns the texels of all added maps, RG32UI.
+  /// Returns the texels of all added maps, RG32UI. Without a map, it is one texel.
   [[nodiscard]] const gl::Texture& texels();
 
  private:
