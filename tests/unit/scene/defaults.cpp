@@ -179,6 +179,7 @@ TEST_CASE("defaults: stating the default of any parameter of a shipped scene cha
       "reaction.size", "reaction.depth", "reaction.boundary",
       // The following parameters need an image of a terrain.
       "water.terrain.low", "water.terrain.high", "water.terrain.smooth", "water.terrain.bed",
+      "water.terrain.repeat",
       // The following parameters have no effect if the shape or the mass of a float is given. The last one
       // needs water that collides.
       "water.floats[].density", "water.floats[].file", "water.floats[].radius", "water.floats[].scale",
