@@ -2,6 +2,7 @@
 
 #include "scene/covering.hpp"
 #include "scene/drawn_on.hpp"
+#include "scene/falling.hpp"
 #include "scene/stage.hpp"
 
 #include <algorithm>
@@ -138,6 +139,21 @@ void warnUnlit(const Node& root, const Object& cover, Diagnostics& diagnostics) 
   }
 }
 
+/// Warns about each object that falls through the ground and so out of view.
+void warnFalling(const Node& root, const Scene& scene, Diagnostics& diagnostics) {
+  if (!scene.ground || !scene.ground->solid || !scene.ground->visible) return;
+  for (const Object& object : scene.objects) {
+    const auto* falling = dynamic_cast<const Falling*>(object.parameters.get());
+    const double height = scene.ground->height;
+    if (falling == nullptr || falling->fallsTo(scene.time.start + scene.time.duration, height) >= height)
+      continue;
+    diagnostics.remark(root.find("objects")->find(object.name)->headPlace(),
+                       fmt::format("\"{}\" falls through the ground, which hides it; give it "
+                                   "\"collides\": true",
+                                   object.name));
+  }
+}
+
 }  // namespace
 
 bool explainsBehind(const Node& root, const Scene& scene) {
@@ -154,6 +170,7 @@ void warnHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics) 
   warnHiddenBehind(root, scene, diagnostics);
   warnEmpty(root, scene, diagnostics);
   warnIdleBars(root, scene, diagnostics);
+  warnFalling(root, scene, diagnostics);
   const Object* const cover = covers(scene, Covering::Extent::whole);
   if (cover == nullptr) return;
   if (scene.panels.empty()) warnHiddenOn(root, scene, *cover, diagnostics);

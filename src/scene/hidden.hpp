@@ -10,7 +10,7 @@ namespace simreel::scene {
 
 /// Warns if the ground given by the scene, or an object drawn over the whole picture, hides other objects
 /// or a field behind them, if a scene of fields draws none, and about colour bars of fields that are not
-/// drawn. `root`: the scene's JSON tree.
+/// drawn and objects that fall through the ground. `root`: the scene's JSON tree.
 void warnHidden(const Node& root, const Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace simreel::scene

@@ -12,6 +12,33 @@ namespace simreel::draw {
 
 namespace {
 
+/// True if the panel shows only charts, and nothing of the world.
+bool showsOnlyCharts(const scene::Panel& panel, const scene::Scene& scene) {
+  return !panel.objects.empty() &&
+         std::all_of(panel.objects.begin(), panel.objects.end(), [&](const auto& one) {
+           return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const scene::Object& object) {
+             return object.name == one.name && object.kind == "chart";
+           });
+         });
+}
+
+/// Returns the height in pixels of the capital letters of captions.
+float captionCapital(glm::ivec2 cell) {
+  return std::clamp(0.024F * static_cast<float>(std::min(cell.x, cell.y)), 7.0F, 40.0F);
+}
+
+/// Places charts one below the other, so that they fill the panel below its caption.
+void fill(std::vector<sim::Chart>& charts, const scene::Panel& panel, glm::ivec2 cell) {
+  const float capital = captionCapital(cell);
+  const glm::vec2 margin = 1.2F * capital / glm::vec2(cell);
+  const float top = panel.caption.empty() ? margin.y : 4.2F * capital / static_cast<float>(cell.y);
+  const float row = (1 - top) / static_cast<float>(charts.size());
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    charts[i].corner = {margin.x, top + static_cast<float>(i) * row};
+    charts[i].extent = {1 - 2 * margin.x, row - margin.y};
+  }
+}
+
 /// Returns the drawables of the objects that a panel shows.
 sim::Drawables shownOn(const scene::Panel& panel, const sim::Drawables& drawables) {
   sim::Drawables shown = drawables;
@@ -22,7 +49,7 @@ sim::Drawables shownOn(const scene::Panel& panel, const sim::Drawables& drawable
   };
   std::erase_if(shown.surfaces, [&](const sim::Surface& one) { return hides(one.object); });
   std::erase_if(shown.instances, [&](const sim::Instances& one) { return hides(one.object); });
-  shown.charts.clear();
+  std::erase_if(shown.charts, [&](const sim::Chart& one) { return hides(one.object); });
   std::erase_if(shown.writings, [&](const sim::Writing& one) { return hides(one.object); });
   // A field that is hidden may still be the texture of a surface.
   for (sim::Field& field : shown.fields)
@@ -35,6 +62,8 @@ std::unique_ptr<scene::Scene> sceneOf(const scene::Panel& panel, const scene::Sc
   std::unique_ptr<scene::Scene> shown = copyForDrawing(scene);
   shown->render.size = size;
   shown->render.overlay = panel.overlay.value_or(scene.render.overlay);
+  // The background of overlays is dark and even.
+  if (showsOnlyCharts(panel, scene)) shown->render.overlay = scene::Overlay::objects;
   shown->camera = scene::cameraOf(panel, scene.camera);
   return shown;
 }
@@ -51,7 +80,7 @@ Panels::Panels(const scene::Scene& scene, glm::ivec2 size, int samples, const Re
     words_.require(panel.caption);
     std::unique_ptr<scene::Scene> shown = sceneOf(panel, scene, grid_.cell);
     SingleView renderer(*shown, grid_.cell, samples, options);
-    views_.push_back({std::move(shown), &panel, std::move(renderer)});
+    views_.push_back({std::move(shown), &panel, showsOnlyCharts(panel, scene), std::move(renderer)});
   }
 }
 
@@ -60,7 +89,9 @@ void Panels::draw(double seconds, const sim::Drawables& drawables, const StageWa
   glClearTexImage(picture_.color.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, between.data());
   for (std::size_t i = 0; i < views_.size(); ++i) {
     View& view = views_[i];
-    view.renderer.draw(seconds, shownOn(*view.panel, drawables), watch);
+    sim::Drawables shown = shownOn(*view.panel, drawables);
+    if (view.charts) fill(shown.charts, *view.panel, grid_.cell);
+    view.renderer.draw(seconds, shown, watch);
     const glm::ivec2 corner = grid_.corner(i);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     glCopyImageSubData(view.renderer.picture().color.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
@@ -73,8 +104,7 @@ void Panels::draw(double seconds, const sim::Drawables& drawables, const StageWa
 
 void Panels::caption() {
   const glm::vec2 size(picture_.color.width(), picture_.color.height());
-  const float capital =
-      std::clamp(0.024F * static_cast<float>(std::min(grid_.cell.x, grid_.cell.y)), 7.0F, 40.0F);
+  const float capital = captionCapital(grid_.cell);
   // Long captions are smaller, so that they end in their panel.
   const float space = static_cast<float>(grid_.cell.x) - 3.2F * capital;
   sim::Drawables captions;

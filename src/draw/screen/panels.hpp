@@ -23,6 +23,7 @@ class Panels {
   struct View {
     std::unique_ptr<scene::Scene> scene;  ///< the scene as the panel shows it
     const scene::Panel* panel = nullptr;
+    bool charts = false;  ///< true if the panel shows only charts
     SingleView renderer;
   };
   void caption();

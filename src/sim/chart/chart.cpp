@@ -83,6 +83,7 @@ class ChartObject : public Simulation, public FrameObserver {
     const ChartRange range = rangeNow();
     count(range);
     Chart chart;
+    chart.object = &name_;
     chart.counts = &counts_.view();
     chart.steps = static_cast<int>(rows_.size());
     const int asked = static_cast<int>(std::ceil(parameters_.seconds / frameSeconds_ - 1e-6)) + 1;

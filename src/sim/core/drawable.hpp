@@ -166,6 +166,8 @@ struct Field {
 
 /// Line chart, drawn over the picture, of a simulation's counts for each step so far.
 struct Chart {
+  const std::string* object = nullptr;  ///< Name of the object in the scene; null if the chart belongs to
+                                        ///< an object that is more than a chart.
   const gl::Texture* counts = nullptr;  ///< RGBA32UI texel view, one texel per step with up to four counts.
   int steps = 0;                        ///< Number of steps counted so far.
   int width = 1;                        ///< Number of steps that the full x axis spans, at least `steps`.

@@ -182,6 +182,20 @@ void addNumber(const IsoLabel& label, const TextOutlines& text, double unit, con
 
 using Outlines = std::vector<std::vector<glm::vec2>>;
 
+/// True if the colour that a field has for a value is so dark that dark lines are hardly visible.
+bool isDark(const Field& field, double value) {
+  if (field.colors == nullptr || field.colors->empty() || field.categories || field.ownColors) return false;
+  const double width = static_cast<double>(field.range.y) - field.range.x;
+  const double part = width == 0 ? 0 : std::clamp((value - field.range.x) / width, 0.0, 1.0);
+  const std::vector<glm::vec3>& colors = *field.colors;
+  const double at = part * static_cast<double>(colors.size() - 1);
+  const auto first = static_cast<std::size_t>(at);
+  const glm::vec3 color = glm::mix(colors[first], colors[std::min(first + 1, colors.size() - 1)],
+                                   static_cast<float>(at - std::floor(at)));
+  constexpr float dark = 0.08F;  // luminance
+  return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F)) < dark;
+}
+
 /// Lines of equal field values, drawn over the picture. This object has no state.
 class Isolines : public Simulation {
  public:
@@ -198,12 +212,14 @@ class Isolines : public Simulation {
   void publish(double time, Drawables& drawables) const override {
     if (!parameters_.terrain.empty()) return publishOnTerrain(drawables);
     make(time);
-    for (const Outlines* outlines : {&lines_, &numbers_}) {
+    constexpr glm::vec3 lightInk(0.75F);
+    for (const Outlines* outlines : {&dark_.lines, &light_.lines, &dark_.numbers, &light_.numbers}) {
       if (outlines->empty()) continue;
+      const bool light = outlines == &light_.lines || outlines == &light_.numbers;
       Writing writing;
       writing.outlines = outlines;
       writing.height = parameters_.height;
-      writing.color = parameters_.color;
+      writing.color = light ? lightInk : parameters_.color;
       writing.opacity = parameters_.opacity;
       drawables.writings.push_back(writing);
     }
@@ -284,10 +300,18 @@ class Isolines : public Simulation {
       if (std::isfinite(value))
         extremes = {std::min(extremes.x, static_cast<double>(value)),
                     std::max(extremes.y, static_cast<double>(value))};
-    write(parameters_.levels(glm::dvec2(shown.range), extremes), isoGrid(values_, shown.size, view),
-          picture);
+    const std::vector<IsoLevel> levels = parameters_.levels(glm::dvec2(shown.range), extremes);
+    // Another field may be displayed where the lines are.
+    const bool own = parameters_.contrasts && fieldNamed(*links_, parameters_.of).display != nullptr;
+    std::vector<bool> light;
+    for (const IsoLevel& level : levels) light.push_back(own && isDark(shown, level.value));
+    write(levels, light, isoGrid(values_, shown.size, view), picture);
   }
 
+  /// Outlines of one colour.
+  struct Inked {
+    Outlines lines, numbers;
+  };
   /// Lines and numbers in the plane, in pixels.
   struct Layout {
     double unit = 0;                  ///< cap height
@@ -318,17 +342,21 @@ class Isolines : public Simulation {
     return made;
   }
 
-  void write(const std::vector<IsoLevel>& levels, const IsoGrid& grid, glm::ivec2 picture) const {
+  /// Creates the outlines. `light`: whether the ink of each level is light.
+  void write(const std::vector<IsoLevel>& levels, const std::vector<bool>& light, const IsoGrid& grid,
+             glm::ivec2 picture) const {
     const glm::dvec4 part =
         glm::clamp(view_.part, glm::dvec4(0), glm::dvec4(picture.x, picture.y, picture.x, picture.y));
     const auto [unit, texts, lines, labels] = layOut(levels, grid, part, picture.y);
-    lines_.clear();
-    numbers_.clear();
+    dark_ = light_ = {};
+    const auto inkOf = [&](int level) -> Inked& {
+      return light[static_cast<std::size_t>(level)] ? light_ : dark_;
+    };
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const bool bold = levels[static_cast<std::size_t>(lines[i].level)].bold;
       const double width = static_cast<double>(parameters_.width) * picture.y * (bold ? 2 : 1);
       for (const IsoLine& line : withoutLabels(lines[i], labels, unit))
-        for (const auto& outline : isoStroke(line, width)) add(lines_, outline, unit);
+        for (const auto& outline : isoStroke(line, width)) add(inkOf(lines[i].level).lines, outline, unit);
     }
     for (const IsoLabel& label : labels) {
       const glm::dvec2 up(label.along.y, -label.along.x);
@@ -337,7 +365,7 @@ class Isolines : public Simulation {
         turned.reserve(outline.size());
         for (const glm::dvec2& point : outline)
           turned.push_back(label.middle + unit * (point.x * label.along + point.y * up));
-        add(numbers_, turned, unit);
+        add(inkOf(lines[label.line].level).numbers, turned, unit);
       }
     }
   }
@@ -361,7 +389,7 @@ class Isolines : public Simulation {
   mutable Font font_;
   mutable std::vector<float> values_;
   mutable FieldView view_;
-  mutable Outlines lines_, numbers_;
+  mutable Inked dark_, light_;
   mutable std::vector<glm::vec3> land_;  ///< vertices of the surface with the current lines
   mutable std::optional<MeshBuffers> drawn_;
   mutable scene::Material ink_;

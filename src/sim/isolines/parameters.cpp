@@ -65,6 +65,8 @@ void IsolineParameters::describe(scene::Fields& f) {
   f.boolean("labels", labels, "Writes numbers on the lines.");
   f.text("unit", unit, "Unit after the numbers.");
   f.color("color", color, scene::notNegative, "Colour of lines and numbers, linear RGB.");
+  f.leftOut("color", "[0.01,0.01,0.01]; in version 2 light over dark colours of the field");
+  contrasts = f.version() > 1 && !f.given("color");
   f.number("opacity", opacity, scene::fraction, "", "Opacity of lines and numbers.");
   f.number(
       "width", width, {1e-4, 0.1}, "",

@@ -30,6 +30,8 @@ struct IsolineParameters : ObjectParameters {
   bool labels = true;
   std::string unit;        ///< unit appended to the numbers
   glm::vec3 color{0.01F};  ///< line colour, linear RGB
+  bool contrasts = false;  ///< true since version 2 if the scene gives no colour: lines over dark colours
+                           ///< of the field are light
   float opacity = 0.85F;
   /// Width of a line and height of capitals as fractions of the picture's height, or on a surface of its
   /// longer side.

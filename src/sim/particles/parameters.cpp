@@ -333,4 +333,24 @@ std::optional<float> ParticleParameters::supportHeight() const {
   return lowest;
 }
 
+double ParticleParameters::fallsTo(double seconds, double ground) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  const double weight = acceleration.at(0).y;
+  if (collides || !walls.empty() || wind || attractor || weight >= 0) return lowest;
+  const auto fall = [&](double height, double speed, double time) {
+    if (height <= ground || time <= 0) return;
+    // With damping, the speed approaches `last`.
+    const double last = damping > 0 ? weight / damping : 0;
+    const double way = damping > 0
+                           ? last * time + (speed - last) * (1 - std::exp(-damping * time)) / damping
+                           : speed * time + 0.5 * weight * time * time;
+    lowest = std::min(lowest, height + way);
+  };
+  for (const ParticleGroup& group : groups) fall(group.position.y, group.velocity.y, seconds);
+  for (const Emitter& emitter : emitters)
+    fall(emitter.position.at(emitter.from).y - emitter.radius, emitter.velocity.at(emitter.from).y,
+         std::min<double>(emitter.lifetime, seconds - emitter.from));
+  return lowest;
+}
+
 }  // namespace simreel::sim

@@ -1,5 +1,6 @@
 #pragma once
 #include "glsl/common/cpp.hpp"
+#include "scene/falling.hpp"
 #include "scene/own_colors.hpp"
 #include "scene/value/fields.hpp"
 #include "scene/warm.hpp"
@@ -105,6 +106,7 @@ struct ParticleParameters : ObjectParameters,
                             TouchesMeshes,
                             scene::HasWarmUp,
                             scene::HasOwnColors,
+                            scene::Falling,
                             shader::ParticleConstants {
   std::vector<ParticleGroup> groups;
   std::vector<Emitter> emitters;
@@ -147,6 +149,7 @@ struct ParticleParameters : ObjectParameters,
   /// result is infinity if the particles of all emitters fall, so that only other objects determine the
   /// ground. It is empty if there are no emitters.
   [[nodiscard]] std::optional<float> supportHeight() const override;
+  [[nodiscard]] double fallsTo(double seconds, double ground) const override;
   [[nodiscard]] Looks looks() const override { return additive ? Looks::shining : Looks::solid; }
   [[nodiscard]] bool motionIsUnpredictable() const override { return true; }
   [[nodiscard]] const char* coloredBy() const override {

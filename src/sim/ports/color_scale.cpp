@@ -29,7 +29,11 @@ const PortInfo ColorScale::port = {
 ShownQuantity shownQuantityOf(const Links& links, const std::string& name) {
   const PartName named(name);
   const scene::Object* const object = links.declared(named.object);
-  if (object == nullptr || !named.part.empty()) return {""};
+  if (object == nullptr) return {""};
+  if (!named.part.empty()) {
+    const auto* parts = dynamic_cast<const NamesParts*>(object->parameters.get());
+    return parts == nullptr ? ShownQuantity{""} : parts->quantityOf(named.part);
+  }
   const auto* shows = dynamic_cast<const ShowsQuantity*>(object->parameters.get());
   return shows == nullptr ? ShownQuantity{""} : shows->shownQuantity();
 }

@@ -2,6 +2,7 @@
 #include "sim/core/port.hpp"
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,8 +44,15 @@ class ShowsQuantity {
   [[nodiscard]] virtual ShownQuantity shownQuantity() const = 0;
 };
 
-/// Returns the quantity that the colours of OBJECT or OBJECT.PART show. Its name is empty if it is unknown,
-/// as for parts.
+/// Interface of the parameters of objects that know the quantities of their fields OBJECT.PART.
+class NamesParts {
+ public:
+  virtual ~NamesParts() = default;
+  /// Returns the quantity of a part. Its name is empty if it is unknown.
+  [[nodiscard]] virtual ShownQuantity quantityOf(std::string_view part) const = 0;
+};
+
+/// Returns the quantity that the colours of OBJECT or OBJECT.PART show. Its name is empty if it is unknown.
 [[nodiscard]] ShownQuantity shownQuantityOf(const Links& links, const std::string& name);
 
 /// Returns the current scale of the field OBJECT or OBJECT.PART, or if there is no such field, of the

@@ -278,6 +278,7 @@ std::optional<scene::Box> WaterParameters::framed() const {
   reach.y = 0.51F * std::max(reach.x, reach.z);
   // Dry ground is framed by its own heights.
   const bool dry = !terrain.empty() && level < std::min(terrainLow, terrainHigh);
+  if (dry && restsOnGround) reach.y = 0.5F * std::abs(terrainHigh - terrainLow);
   const glm::vec3 middle = position + glm::vec3(0, dry ? 0.5F * (terrainLow + terrainHigh) : level, 0);
   return scene::Box{middle - reach, middle + reach};
 }

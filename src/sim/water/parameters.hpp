@@ -74,6 +74,7 @@ struct WaterSwell {
 struct WaterParameters : ObjectParameters,
                          HasColorRange,
                          ShowsQuantity,
+                         NamesParts,
                          scene::Covering,
                          scene::FramedInPart {
   glm::ivec2 size{193, 193};  ///< Grid size in cells along x and z.
@@ -128,6 +129,9 @@ struct WaterParameters : ObjectParameters,
   void describe(scene::Fields& fields) override;
   [[nodiscard]] std::vector<MeasuredRange> measuredRanges() override { return display.measuredRanges(); }
   [[nodiscard]] ShownQuantity shownQuantity() const override { return {"depth", "m"}; }
+  [[nodiscard]] ShownQuantity quantityOf(std::string_view part) const override {
+    return part == "speed" ? ShownQuantity{"speed", "m/s"} : ShownQuantity{"level", "m"};
+  }
   void leaveRoom(glm::vec2 room) override { display.room = room; }
   [[nodiscard]] Extent covering() const override { return display.covering(); }
   void ports(Ports& ports) const override;

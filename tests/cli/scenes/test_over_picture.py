@@ -75,6 +75,43 @@ class OverPicture(Case):
         self.scene({"p": {"water": {**pond["water"], "display": {"layer": "over"}}}, "b": {"colorBar": {"of": "p"}}})
         self.assertEqual(self.good("validate", "a.json").err, "")
 
+    def test_isolines_are_light_over_dark_colours_and_dark_over_light_ones(self):
+        hill = {"reaction": {"size": [64, 36], "steps": 0, "boundary": "no-flux", "species": {"h": {"start": "x"}},
+                             "display": {"low": 0, "high": 64, "stops": [{"color": "black"}, {"color": "white"}]}}}
+        for value, ink in ((4, 0.75), (50, 0.01)):
+            self.scene({"h": hill, "i": {"isolines": {"of": "h", "at": [value]}}})
+            own = self.picture(f"own{value}")
+            self.assertEqual(own, self.picture(f"same{value}", "-D", f"objects.i.isolines.color=[{ink},{ink},{ink}]"))
+        self.assertNotEqual(own, self.picture("light", "-D", "objects.i.isolines.color=[0.75,0.75,0.75]"))
+
+    def test_a_chart_alone_in_a_panel_fills_it(self):
+        chart = {"chart": {"curves": [{"of": "l.population"}]}}
+        panels = {"a": {"objects": ["l"], "caption": ""}, "b": {"objects": ["c"], "caption": ""}}
+        self.scene({"l": LIFE, "c": chart}, panels=panels)
+        both, other = self.picture("a"), ("-D", "objects.c.chart.high=1000000")
+        self.assertNotEqual(both, self.picture("b", *other))
+        # The chart fills the panel.
+        self.assertEqual(both, self.picture("c", "-D", "objects.c.chart.x=0.4", "-D", "objects.c.chart.width=0.5"))
+        self.scene({"l": LIFE, "c": chart}, panels={"a": panels["a"]})
+        self.assertEqual(self.picture("d"), self.picture("e", *other))
+
+    def test_a_bar_of_the_speed_of_water_names_its_unit(self):
+        pond = {"water": {"size": [16, 16], "display": {"layer": "over"}}}
+        self.scene({"p": pond, "b": {"colorBar": {"of": "p.speed"}}})
+        self.assertEqual(self.picture("a"), self.picture("b", "-D", "objects.b.colorBar.title=speed (m/s)"))
+
+    def test_particles_that_fall_through_the_ground_are_reported(self):
+        def said(particles, ground, **more):
+            self.scene({"p": {"particles": {"method": "none", "acceleration": [0, -9.81, 0], **particles}}}, ground=ground, **more)
+            return self.good("validate", "a.json", "-D", "time.duration=2").err
+
+        cloud = {"groups": [{"position": [0, 2, 0]}]}
+        self.assertIn('"p" falls through the ground, which hides it; give it "collides": true', said(cloud, {"height": 0}))
+        for particles, ground in (({**cloud, "collides": True}, {"height": 0}), (cloud, {"height": -50}),
+                                  (cloud, {"height": 0, "visible": False}), ({**cloud, "damping": 100}, {"height": 0}),
+                                  ({"emitters": [{}]}, {"height": 0})):
+            self.assertEqual(said(particles, ground), "")
+
 
 if __name__ == "__main__":
     main()
