@@ -5,7 +5,7 @@
 namespace simreel::cli {
 
 std::span<const Message> messages() {
-  static constexpr std::array<Message, 33> all = {{
+  static constexpr std::array<Message, 34> all = {{
       {"2", "no flag --FLAG; did you mean --FLAG?", "no flag {}; did you mean --{}?",
        "Type the flag that the message names. `simreel COMMAND --help` lists all flags."},
       {"2", "`simreel COMMAND` needs ARGUMENT", "`{}` needs {}",
@@ -56,6 +56,9 @@ std::span<const Message> messages() {
       {"4", "the device has no memory left for NAME (N bytes); make it smaller",
        "the device has no memory left for {} ({} bytes); make it smaller",
        "Lower `size` of the object or of the picture, or use a device with more memory."},
+      {"4", "the driver has reset the device, ...", "the driver has reset the device, ",
+       "A kernel ran too long, or another program on the same GPU failed. Run again; split long loops of "
+       "your own kernels over several dispatches."},
       {"4", "OBJECT: ... use more substeps (N per frame now, or \"auto\")",
        "sensible number; use more substeps",
        "The state became NaN or infinite. Set `substeps` to `\"auto\"`, or lower the stiffness."},

@@ -47,8 +47,9 @@ TEST_CASE("MTL: invalid and out-of-range numbers are reported") {
   CHECK(ignored("Kd 255 128 0") == Lines{"\"Kd 255 128 0\" of material \"m\" (held to 0 to 1)"});
   CHECK(ignored("d 2") == Lines{"\"d 2\" of material \"m\" (held to 0 to 1)"});
   CHECK(ignored("Ns -3") == Lines{"\"Ns -3\" of material \"m\" (held to 0 and above)"});
-  CHECK(ignored("norm -bm 0,5 a.png") == Lines{"-bm \"0,5\" of norm of material \"m\"",
-                                               "a.png (it does not exist or is not a regular file)"});
+  CHECK(ignored("norm -bm 0,5 no-such-picture.png") ==
+        Lines{"-bm \"0,5\" of norm of material \"m\"",
+              "no-such-picture.png (it does not exist or is not a regular file)"});
   const sim::Mesh shown = lookOf("newmtl m\nKd 0.5 0,5 0\nKe 2 -1 0\n");
   CHECK(shown.materials.at(0).color == glm::vec3(1));
   CHECK(shown.materials.at(0).emission == glm::vec3(2, 0, 0));
