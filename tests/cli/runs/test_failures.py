@@ -81,7 +81,7 @@ class Device(Case):
         self.write("wild.json", scene)
         done = self.bad(4, ["\"flag\" blew up in substep ", "particle (", "use more substeps (2 per frame",
                             "simreel: warning: ", "stable"], "render", "wild.json", "-o", "out/")
-        self.assertLessEqual(len(done.err.splitlines()), 2)
+        self.assertLessEqual(len(done.err.splitlines()), 3)  # one of them says that the wind is strong for so little mass
         frames = self.assert_manifest_is_whole("out")
         self.assertEqual(frames, list(range(len(frames))))
         self.assertLess(len(frames), 60)
@@ -101,7 +101,7 @@ class Device(Case):
         self.write("storm.json", with_values({"objects.flag.cloth": light}))
         done = self.good("render", "storm.json", "-o", "out/", "--frames", "0")
         self.assert_words(["fewer than the ", "fastest air", "\"substeps\": \"auto\""], done)
-        self.assertEqual(done.err.count("warning"), 1)
+        self.assertEqual(done.err.count("fastest air"), 1)
 
 
 class Scarce(Case):
