@@ -234,7 +234,7 @@ EQUIVALENT = {
      "int first = (int(floor(low)) + edge.from.x - subpixels) >> 12, last = (int(floor(high)) + edge.from.x + subpixels) >> 11;"):
         "a wider span, of which every tile is tested: the box bounds it",
     ("draw/exact/triangles/fill_box.glsl",
-     "if (abs(doubled) <= thick && around <= 24821.76f && length_ <= 2048.0f) longest = min(longest, smallPixels * subpixels);"):
+     "const float maxAround = 24821.76f;"):
         "either way of drawing gives the same, as a test says: E is below 2^31 up to 32768",
     ("draw/exact/tiles/tiles.comp",
      "bool within = above.x > offAbove.x || above.y > offAbove.y && below.x > offBelow.x && below.y > offBelow.y;"):

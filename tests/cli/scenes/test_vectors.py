@@ -112,8 +112,8 @@ class Vectors(Case):
         lines = {}
         for x, y, z, line, color in self.baked("a"):
             self.assertAlmostEqual(z, 0.25, 5)
-            # The fastest point is at a corner, where the flow is sqrt(2) m/s.
-            self.assertAlmostEqual(color, min(1, math.hypot(x, y) / math.hypot(1.05, 1.025)), delta=0.03)
+            # The scale ends at the greatest speed of a cell's centre, which is that of a corner's cell.
+            self.assertAlmostEqual(color, min(1, math.hypot(x, y) / math.hypot(0.975, 0.975)), delta=0.03)
             lines.setdefault(line, []).append(x * y)
         self.assertGreater(len(lines), 20)
         for products in lines.values():
