@@ -71,21 +71,27 @@ StepTrace reduced(const StepTrace& trace, bool whole, std::uint32_t detailed) {
   if (trace.arrays.empty()) return result;
   if (whole)
     for (StepTrace::Array& array : result.arrays) array.perBlock = array.elements;
+  const auto add = [&](const StepTrace::Array& array, std::span<const std::uint32_t> words) {
+    const auto blocks = words.first(array.blocks());
+    if (whole)  // Block sums add up to the array's sum modulo 2^32, as in the kernel.
+      result.words.push_back(std::accumulate(blocks.begin(), blocks.end(), 0U));
+    else
+      result.words.insert(result.words.end(), blocks.begin(), blocks.end());
+    result.words.push_back(words.back());
+  };
   std::span<const std::uint32_t> rest = trace.words;
+  std::vector<std::span<const std::uint32_t>> latest(trace.arrays.size());
   for (std::uint32_t index = 0; index <= trace.frames; ++index)
-    for (const StepTrace::Array& array : trace.arrays) {
+    for (std::size_t i = 0; i < trace.arrays.size(); ++i) {
+      const StepTrace::Array& array = trace.arrays[i];
       const std::uint32_t steps = index > 0 && index <= trace.detailed ? array.steps : 1;
       for (std::uint32_t step = 1; step <= steps; ++step) {
-        const auto words = rest.first(array.words());
+        latest[i] = rest.first(array.words());
         rest = rest.subspan(array.words());
-        if (step < steps && index > detailed) continue;
-        const auto blocks = words.first(array.blocks());
-        if (whole)  // Block sums add up to the array's sum modulo 2^32, as in the kernel.
-          result.words.push_back(std::accumulate(blocks.begin(), blocks.end(), 0U));
-        else
-          result.words.insert(result.words.end(), blocks.begin(), blocks.end());
-        result.words.push_back(words.back());
+        if (step == steps || index <= detailed) add(array, latest[i]);
       }
+      // An array without steps has no words in a detailed frame, and keeps its first state.
+      if (steps == 0 && index > detailed) add(array, latest[i]);
     }
   return result;
 }

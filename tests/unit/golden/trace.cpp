@@ -177,6 +177,12 @@ TEST_CASE("a trace file may contain an object without steps") {
   CHECK(decoded.words == trace.words);
   CHECK(decoded.arrays.back().steps == 0);
   CHECK(!compareTraces(decoded, trace));
+  // Without details, each frame has the words of the first state.
+  const auto last = reduced(trace, false, 0);
+  REQUIRE(last.words.size() == last.totalWords());
+  const std::size_t frame = last.frameWords(1), land = last.arrays.front().words();
+  for (std::size_t at = land; at < last.words.size(); at += frame)
+    CHECK(last.words[at] == trace.words[land]);
 }
 
 TEST_CASE("equal traces do not diverge") {
