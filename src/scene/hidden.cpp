@@ -58,7 +58,8 @@ void warnIdleBars(const Node& root, const Scene& scene, Diagnostics& diagnostics
   for (const Object& bar : scene.objects) {
     const Object* const field = explainedBy(root, scene, bar);
     if (field == nullptr) continue;
-    // Water is drawn in its own colours; other fields in the world may have those of the bar.
+    // Water never has the colours of a bar. A surface in the world that shows another kind of field may
+    // have them.
     const bool water = field->kind == "water";
     if (!water && field->parameters->framed()) continue;
     if (dynamic_cast<const Covering&>(*field->parameters).covering() != Covering::Extent::none) continue;

@@ -69,8 +69,7 @@ std::string windAdvice(const ClothParameters& parameters) {
   if (parameters.mesh || force <= strong * weight) return "";
   return fmt::format(
       "\"wind\" is a force on each particle in N, here up to {:.3g} times the particle's weight; for "
-      "moving "
-      "air give \"air\": {{\"velocity\": [x, y, z]}} in m/s instead",
+      "moving air give \"air\": {{\"velocity\": [x, y, z]}} in m/s instead",
       force / weight);
 }
 

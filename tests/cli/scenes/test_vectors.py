@@ -112,7 +112,7 @@ class Vectors(Case):
         lines = {}
         for x, y, z, line, color in self.baked("a"):
             self.assertAlmostEqual(z, 0.25, 5)
-            # The scale ends at the greatest speed of a cell's centre, which is that of a corner's cell.
+            # The scale ends at the speed in the centre of a corner cell, the greatest of all cells.
             self.assertAlmostEqual(color, min(1, math.hypot(x, y) / math.hypot(0.975, 0.975)), delta=0.03)
             lines.setdefault(line, []).append(x * y)
         self.assertGreater(len(lines), 20)

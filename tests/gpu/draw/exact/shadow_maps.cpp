@@ -1,5 +1,5 @@
-// Tests shadow maps. Compares balls with double precision, mesh copies with a surface that has the same
-// triangles, and shadows with those of traced rays.
+// Tests shadow maps. Balls are compared with double precision, mesh copies with a surface of the same
+// triangles, and edges of shadows with traced rays.
 #include "draw/exact/instances/ball_raster.hpp"
 #include "draw/exact/instances/copy_raster.hpp"
 #include "draw/exact/triangles/triangle_raster.hpp"
