@@ -1,5 +1,6 @@
 #include "sim/body/parameters.hpp"
 
+#include "base/file.hpp"
 #include "sim/body/skinned_surface.hpp"
 #include "sim/contact/solid.hpp"
 #include "sim/mesh/parameters.hpp"
@@ -10,8 +11,13 @@ namespace simreel::sim {
 void BodyParameters::describe(scene::Fields& f) {
   f.asset("file", file,
           "glTF or GLB with a skin, whose vertices follow bones, or with an animation that moves meshes.");
+  f.leftOut("file", "a figure that ships with simreel, which walks; required in version 1");
   f.text("animation", animation,
          "Name of the file's motion that it plays; without one it keeps the pose of the file.");
+  if (f.version() > 1 && !f.given("file")) {
+    file = assetFolder() / "meshes" / "walker.gltf";
+    if (!f.given("animation")) animation = "walk";
+  }
   f.number("speed", speed, {-100, 100}, "", "Speed of the motion; 2 is twice as fast, -1 backwards.");
   f.number("start", start, {-1e6, 1e6}, "s", "Time in the motion at time 0 of the scene.");
   f.boolean("loop", loop,

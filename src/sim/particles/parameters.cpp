@@ -24,12 +24,14 @@ namespace {
 /// Greatest a dt^2 and v dt of "auto" substeps, as fractions of a ball's radius.
 constexpr double overlapOfStep = 1.75e-4, wayOfStep = 0.3;
 
-/// Returns the group of a scene without groups and emitters.
+/// Returns the group of a scene without groups and emitters: a galaxy that turns visibly within a second.
 ParticleGroup galaxy() {
   ParticleGroup group;
   group.shape = ParticleGroup::Shape::disk;
-  group.count = 3000;
-  group.centralMass = 0.3F;
+  group.count = 6000;
+  group.totalMass = 150;
+  group.centralMass = 100;
+  group.thickness = 0.1F;
   group.rotation = {20, 0, 10};
   return group;
 }
@@ -88,8 +90,8 @@ void ParticleParameters::describe(scene::Fields& f) {
   f.list(
       "emitters", emitters, "Sources of particles that live for a while.",
       [](scene::Fields& e, Emitter& emitter) { emitter.describe(e); }, shader::maxEmitters);
-  if (f.version() > 1 && !f.given("groups") && !f.given("emitters") && groups.empty() && emitters.empty())
-    groups.push_back(galaxy());
+  const bool isGalaxy = f.version() > 1 && !f.given("groups") && !f.given("emitters") && groups.empty();
+  if (isGalaxy) groups.push_back(galaxy());
   f.choice("method", method, {"none", "all-pairs", "tree"},
            "Attraction between particles. none: no attraction; all-pairs: each by each (exact, N^2); tree: "
            "distant groups as one body (N log N).");
@@ -142,7 +144,8 @@ void ParticleParameters::describe(scene::Fields& f) {
   for (const char* name : {"bounce", "margin"})
     if (!collides && walls.empty() && f.given(name))
       f.error(name, fmt::format("\"{}\" is for particles with \"collides\": true or \"walls\"", name));
-  f.group("look", "Look of the particles.", [&](scene::Fields& l) { describeLook(l); });
+  f.group("look", "Look of the particles.",
+          [&](scene::Fields& l) { describeLook(l, isGalaxy && !f.given("contact")); });
   describeContact(f);
   f.switchable("trails");
   f.optionalGroup("trails", trails,
@@ -195,17 +198,23 @@ void ParticleParameters::remarkForces(scene::Fields& f) const {
                "particles that attract each other (weight is an \"acceleration\")");
 }
 
-void ParticleParameters::describeLook(scene::Fields& l) {
+void ParticleParameters::describeLook(scene::Fields& l, bool stars) {
   l.choice("shape", shape, {"sprite", "sphere", "mesh"},
            "Discs that face the camera, lit as balls or glowing; spheres; or a mesh.");
   l.asset("mesh", mesh, "OBJ, PLY, STL, glTF or GLB file of shape \"mesh\".");
   scene::implyShape(l, shape, Instances::Shape::mesh, "mesh", mesh, "mesh", "sprite");
   l.boolean("alongVelocity", alongVelocity, "Turns a mesh's z axis along the velocity.");
+  // The default of a key is set behind its declaration, because the schema states the general default.
+  const auto ofStars = [&](const char* key, auto& value, auto star) {
+    if (stars && !l.given("shape") && !l.given("mesh") && !l.given(key)) value = star;
+  };
   l.number("size", size, {1e-5, 1e5}, "m", "Diameter; for a mesh, a factor on its coordinates.");
+  ofStars("size", size, 0.07F);
   l.number("massExponent", massExponent, {0, 2}, "",
            "Size grows with mass to this power; 0.333 for balls of one density.");
   l.choice("colorBy", colorBy, {"material", "speed", "mass", "age"},
            "The object's material, or a colour map of the speed, mass or age.");
+  ofStars("colorBy", colorBy, Instances::ColorBy::speed);
   const bool measured = colorBy == Instances::ColorBy::speed || colorBy == Instances::ColorBy::mass;
   if (measured && l.version() > 1 && !l.given("colorFrom") && !l.given("colorTo"))
     autoColors = {true, true};
@@ -220,7 +229,10 @@ void ParticleParameters::describeLook(scene::Fields& l) {
   colors = describeColors(l, "particles");
   const bool ownColors = l.given("colors") || l.given("colorStops");
   l.boolean("additive", additive, "Light that adds up and casts no shadow, for sparks and stars.");
+  l.leftOut("additive", "false; in version 2 true for an object without groups, emitters and contact");
+  ofStars("additive", additive, true);
   l.number("brightness", brightness, {0, 1e5}, "", "Factor on the colours of additive particles.");
+  ofStars("brightness", brightness, 0.8F);
   l.number("fade", fade, {0, 0.5}, "",
            "Fraction of life over which additive particles of an emitter fade in and out.");
   if (l.version() > 1 && additive && !ownColors && colorBy != Instances::ColorBy::material) {

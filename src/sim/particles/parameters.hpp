@@ -188,7 +188,8 @@ struct ParticleParameters : ObjectParameters,
  private:
   void describeContact(scene::Fields& fields);
   void remarkForces(scene::Fields& fields) const;
-  void describeLook(scene::Fields& fields);
+  /// `stars`: true if keys that the scene leaves out get the look of a galaxy.
+  void describeLook(scene::Fields& fields, bool stars);
 };
 
 }  // namespace simreel::sim

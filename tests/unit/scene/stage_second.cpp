@@ -2,7 +2,9 @@
 #include "scene/framing.hpp"
 #include "scene/load.hpp"
 #include "scene/scene.hpp"
+#include "sim/body/parameters.hpp"
 #include "sim/life/parameters.hpp"
+#include "sim/particles/parameters.hpp"
 #include "sim/text/parameters.hpp"
 #include "sim/water/parameters.hpp"
 #include "sim/world/list.hpp"
@@ -240,6 +242,22 @@ TEST_CASE("stage: a camera on an orbit that does not turn is as near as its angl
   const float whole = distance(R"({"keys": [[0, 0], [4, 360]]})");
   CHECK(distance("90") < whole);
   CHECK(distance(R"({"keys": [[0, 80], [4, 100]]})") < whole);
+}
+
+TEST_CASE("particles and a body without a key are stars that shine and a figure that walks") {
+  const auto stars = [](const char* members) {
+    const auto all = parsed(fmt::format(R"({{"p": {{"particles": {{{}}}}}}})", members)).objects;
+    return dynamic_cast<const sim::ParticleParameters&>(*all[0].parameters);
+  };
+  CHECK((stars("").additive && stars("").colorBy == sim::Instances::ColorBy::speed));
+  CHECK((stars(R"("look": {"size": 0.2})").additive && stars(R"("look": {"size": 0.2})").size == 0.2F));
+  for (const char* solid : {R"("contact": {})", R"("look": {"additive": false})",
+                            R"("look": {"shape": "sphere"})", R"("groups": [{}])", R"("emitters": [{}])"})
+    CHECK_MESSAGE(!stars(solid).additive, solid);
+  const auto all = parsed(R"({"b": {"body": {}}})").objects;
+  const auto& body = dynamic_cast<const sim::BodyParameters&>(*all[0].parameters);
+  CHECK((body.figure() != nullptr && body.animation == "walk"));
+  CHECK_THROWS_AS(parsed(R"({"b": {"body": {}}})", "", 1), UserError);
 }
 
 TEST_CASE("life: a size leaves the trail of version 2 as it is") {
