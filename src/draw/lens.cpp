@@ -27,6 +27,14 @@ bool isOpen(glm::dvec2 at, int blades) {
   return true;
 }
 
+/// Returns the radius of the aperture (m).
+double radiusOf(const scene::Lens& lens, const View& view, double seconds) {
+  // reach.y is the tangent of half the angle of view. The focal length is half the sensor height divided by
+  // reach.y.
+  const double focal = 0.5 * pictureHeight / static_cast<double>(view.reach.y);
+  return 0.5 * focal / static_cast<double>(lens.fNumber.at(seconds));
+}
+
 }  // namespace
 
 // Uses the golden angle spiral (Vogel 1979), in which point i of n has the radius sqrt((i + 1/2) / n). The
@@ -50,15 +58,23 @@ std::vector<LensPoint> lensPoints(const scene::Camera& camera, const View& view,
   if (!camera.lens) return {LensPoint{}};
   const scene::Lens& lens = *camera.lens;
   const float focus = lens.focus ? lens.focus->at(seconds) : glm::length(view.target - view.eye);
-  // reach.y is the tangent of half the angle of view. The focal length is half the sensor height divided by
-  // reach.y.
-  const double focal = 0.5 * pictureHeight / static_cast<double>(view.reach.y);
-  const auto radius = static_cast<float>(0.5 * focal / static_cast<double>(lens.fNumber.at(seconds)));
+  const auto radius = static_cast<float>(radiusOf(lens, view, seconds));
   const glm::vec3 right = view.right / view.reach.x, up = view.up / view.reach.y;
   std::vector<LensPoint> points;
   for (const glm::vec2& at : openingPoints(lens.samples, lens.blades))
     points.push_back({radius * (at.x * right + at.y * up), std::max(focus, camera.near)});
   return points;
+}
+
+glm::vec3 lensShift(const scene::Camera& camera, const View& view, glm::ivec2 size, float focus,
+                    double seconds) {
+  const scene::Lens& lens = *camera.lens;
+  const int blades = lens.blades;
+  const double area = blades == 0 ? pi : 0.5 * blades * ieee::sin(2 * pi / blades);
+  // The limit keeps the points of a few views apart from each other.
+  const double side = std::min(std::sqrt(area / lens.samples), 0.8);
+  const double pixels = 0.5 * size.y / static_cast<double>(view.reach.y) * radiusOf(lens, view, seconds);
+  return {pixels / static_cast<double>(focus), pixels / static_cast<double>(camera.near), side};
 }
 
 }  // namespace simreel::draw

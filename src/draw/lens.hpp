@@ -26,4 +26,10 @@ struct LensPoint {
 [[nodiscard]] std::vector<LensPoint> lensPoints(const scene::Camera& camera, const View& view,
                                                 double seconds);
 
+/// Returns how far a point of the picture moves if the eye moves on the lens. x: displacement of a point at
+/// infinity. y: decrease of the displacement per nearness. Both are in pixels per radius of the lens. z:
+/// side of the square, in radii of the lens, that one lens point stands for. Only for perspective views.
+[[nodiscard]] glm::vec3 lensShift(const scene::Camera& camera, const View& view, glm::ivec2 size,
+                                  float focus, double seconds);
+
 }  // namespace simreel::draw

@@ -8,10 +8,10 @@ namespace simreel::draw {
 
 // Factories of the passes, defined in draw/exact/passes.
 PassMaker makeSkins, makeThings, makeRayScene, makeJoinedSurfaces, makeLampMaps, makeSunMap, makeMirrors,
-    makeView, makeVisibility, makeNearness, makeOpenness, makeTiles, makeKeptVisibility, makeBlended,
-    makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected, makeSpread,
-    makeBehindGlass, makeFarGlass, makeNearGlass, makeKeptLight, makeGlows, makeMean, makeKeptGlow,
-    makeFieldsBehind, makeScatter, makeFilm;
+    makeView, makeVisibility, makeLensNearness, makeNearness, makeOpenness, makeTiles, makeKeptVisibility,
+    makeBlended, makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected, makeSpread,
+    makeBehindGlass, makeFarGlass, makeNearGlass, makeKeptLight, makeLensShift, makeGlows, makeMean,
+    makeKeptGlow, makeFieldsBehind, makeScatter, makeFilm;
 
 /// Resources that hold only the current band of a picture. A pass with Each::view ends the loop over the
 /// bands. If later passes read one of these resources, the passes that wrote it run again, band by band.
@@ -33,6 +33,7 @@ inline constexpr PassEntry exactPasses[] = {
     {"view", Each::view, nullptr, {"view"}, {"view", "light"}, {}, makeView},
     {"visibility", Each::band, "visibility", {"things", "joined", "view", "skins"}, {"visibility"}, {},
      makeVisibility},
+    {"lens nearness", Each::band, "lens", {"visibility", "view"}, {"lens nearness"}, {}, makeLensNearness},
     {"nearness", Each::band, "occlusion", {"visibility", "view"}, {"nearness"}, {}, makeNearness},
     {"openness", Each::view, "occlusion", {"nearness", "view"}, {"openness"}, {}, makeOpenness},
     {"tiles", Each::band, "surfaces", {"visibility", "view"}, {"tiles", "visibility", "light"}, {}, makeTiles},
@@ -47,8 +48,8 @@ inline constexpr PassEntry exactPasses[] = {
     {"ray light", Each::band, "surfaces", {"visibility", "ray scene", "ray spots", "lights"}, {"light"}, {},
      makeRayLight},
     {"edges", Each::band, "surfaces", {"light"}, {"light"}, {}, makeEdges},
-    {"layers", Each::band, "surfaces", {"visibility", "tiles", "through", "view", "skins"}, {"layers"}, {},
-     makeLayers},
+    {"layers", Each::band, "surfaces",
+     {"visibility", "tiles", "through", "view", "skins", "lens nearness"}, {"layers"}, {}, makeLayers},
     {"mirrored", Each::view, "reflections", {"mirrors", "light", "nearness"}, {"mirrored", "changes"}, {},
      makeMirrored},
     {"reflected", Each::band, "reflections",
@@ -66,6 +67,7 @@ inline constexpr PassEntry exactPasses[] = {
      {"visibility", "view", "skins", "lights", "sun map", "lamp maps", "behind glass", "light"}, {"light"}, {},
      makeNearGlass},
     {"kept light", Each::band, nullptr, {"light"}, {}, {"light"}, makeKeptLight},
+    {"lens shift", Each::view, "lens", {"light", "lens nearness", "view"}, {"light"}, {}, makeLensShift},
     {"glows", Each::band, "instances", {"things", "visibility", "light"}, {"light"}, {}, makeGlows},
     {"mean", Each::view, "lens", {"light", "view"}, {"light", "view"}, {"light"}, makeMean},
 

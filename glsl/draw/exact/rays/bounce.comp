@@ -44,25 +44,9 @@ vec3 beyond(vec3 direction, float roughness, float lobeShare, float density, flo
   return sum;
 }
 
-// Starts a shadow ray from a hit point towards one light. The light is the sun or a lamp, chosen with a probability
-// proportional to its light, or in half of the samples an emitting triangle. Returns the light that needs no shadow ray
-// (OPEN_SUN).
+// Starts a shadow ray from a hit point towards one light. The light is the sun, a lamp or an emitting triangle, chosen
+// with a probability proportional to its light. Returns the light that needs no shadow ray (OPEN_SUN).
 vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
-#ifdef EMITTERS
-  if (emitterCount > 0) {
-    bool emitter = u.z < 0.5f;
-    precise float half_ = u.z * 2.0f - (emitter ? 0.0f : 1.0f);
-    u.z = clamp(half_, 0.0f, 0.999999f);
-    precise vec3 twice = weight * 2.0f;
-    weight = twice;
-    if (emitter) {
-      Emitting e = emittingTowards(f.place, u);
-      precise vec3 lit = emittedLight(f, e, false) * weight;
-      putLightRay(0, nextLightKind, path, beginning(f, e.direction), e.direction, e.far, lit);
-      return vec3(0);
-    }
-  }
-#endif
   vec3 direction = sunDirectionAt(u.x, u.y);
   float nl = exactDot(f.normal, direction);
 #ifdef FINISHED
@@ -71,13 +55,27 @@ vec3 towardsLight(int path, Facet f, vec3 weight, vec3 u) {
   precise vec3 ofSun = frame.sunLight.rgb * (f.matt * mattCosine(f, nl) + mirroredBy(f, lobe(f.normal, f.view, direction, f.alpha)) * max(nl, 0.0f));
 #endif
   precise vec3 light = ofSun;
-  float far = farAway;
+  float far = farAway, sunWeight = brightnessOf(ofSun), lamps = brightnessOfLamps(f);
+  precise float all_ = sunWeight + lamps;
+#ifdef EMITTERS
+  if (emitterCount > 0) {
+    ChosenEmitter e = chosenEmitter(f, u, false);
+    precise float both = all_ + e.bright;
+    precise float likely = e.bright * exactReciprocal(max(both, 1e-25f));
+    if (e.bright > 0.0f && u.z < likely) {
+      precise vec3 lit = e.light * weight * (both * exactReciprocal(max(e.bright, 1e-25f)));
+      putLightRay(0, nextLightKind, path, beginning(f, e.direction), e.direction, e.far, lit);
+      return vec3(0);
+    }
+    precise float rest = 1.0f - likely;
+    precise float left = (u.z - likely) * exactReciprocal(max(rest, 1e-12f));
+    precise vec3 more = weight * (both * exactReciprocal(max(all_, 1e-25f)));
+    u.z = clamp(left, 0.0f, 0.999999f);
+    weight = more;
+  }
+#endif
 #ifdef LAMPS
 #if SHADOWED_LAMPS > 0
-  precise float lamps = 0.0f;
-  for (int i = 0; i < SHADOWED_LAMPS; ++i) lamps = lamps + brightnessOf(lampLightOn(f, i));
-  float sunWeight = brightnessOf(ofSun);
-  precise float all_ = sunWeight + lamps;
   precise float wanted = u.z * all_;
   bool sun = wanted < sunWeight;
   precise float rest = (wanted - sunWeight) * exactReciprocal(max(lamps, 1e-25f));

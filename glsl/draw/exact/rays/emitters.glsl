@@ -8,6 +8,8 @@ layout(binding = solidPlaceUnit) uniform samplerBuffer solidPlaces;
 #ifdef LAID
 #include "draw/exact/rays/lays.glsl"
 #endif
+const int emitterCandidates = 4;   // number of points of which one gets a shadow ray
+const float perCandidate = 0.25f;  // 1 / emitterCandidates
 uniform int emitterCount;
 uniform float perEmission;  // 1 / (sum of area times brightness over all emitters)
 
@@ -86,4 +88,47 @@ vec3 emittedLight(Facet f, Emitting e, bool weighed) {
   light = light + e.emission * (lobed.clear * 0.31830989f * exactReciprocal(max(clearly, 1e-12f)));
 #endif
   return e.density > 0.0f ? light : vec3(0);
+}
+
+// A point of an emitter, chosen among `emitterCandidates` points in proportion to the light that a facet reflects
+// (Talbot, Cline and Egbert, "Importance Resampling for Global Illumination", EGSR 2005). Its light is divided by that
+// probability, so its brightness is the mean brightness of all candidates.
+struct ChosenEmitter {
+  vec3 direction;
+  float far;
+  vec3 light;
+  float bright;  // brightness of `light`; 0 if there is no light
+};
+ChosenEmitter chosenEmitter(Facet f, vec3 u, bool weighed) {
+  ChosenEmitter chosen = ChosenEmitter(vec3(0, 1, 0), 0.0f, vec3(0), 0.0f);
+  uvec3 mixed = hash3(floatBitsToUint(u));
+  float pick = unitFraction(mixed.x), emitter = unitFraction(mixed.y);
+  precise float all_ = 0.0f;
+  for (int i = 0; i < emitterCandidates; ++i) {
+    precise float part = (emitter + float(i)) * perCandidate;
+    Emitting e = emittingTowards(f.place, vec3(u.xy, part));
+    vec3 light = emittedLight(f, e, weighed);
+    float bright = brightnessOf(light);
+    all_ = all_ + bright;
+    precise float likely = bright * exactReciprocal(max(all_, 1e-25f));
+    bool here = bright > 0.0f && pick < likely;
+    precise float within = pick * exactReciprocal(max(likely, 1e-12f));
+    precise float rest = 1.0f - likely;
+    precise float beyond_ = (pick - likely) * exactReciprocal(max(rest, 1e-12f));
+    pick = clamp(here ? within : beyond_, 0.0f, 0.999999f);
+    if (here) {
+      chosen.direction = e.direction;
+      chosen.far = e.far;
+      chosen.light = light;
+      chosen.bright = bright;
+    }
+    precise vec2 next = u.xy + vec2(0.75487766f, 0.56984029f);  // the R2 sequence of Roberts
+    precise vec2 after = next - vec2(next.x < 1.0f ? 0.0f : 1.0f, next.y < 1.0f ? 0.0f : 1.0f);
+    u.xy = after;
+  }
+  precise float mean = all_ * perCandidate;
+  precise vec3 light = chosen.light * (mean * exactReciprocal(max(chosen.bright, 1e-25f)));
+  chosen.light = light;
+  chosen.bright = chosen.bright > 0.0f ? mean : 0.0f;
+  return chosen;
 }

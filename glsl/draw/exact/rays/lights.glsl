@@ -184,6 +184,17 @@ vec3 openLamps(Facet f) {
   return sum;
 }
 
+// Returns the brightness of the light of all lamps that cast shadows.
+float brightnessOfLamps(Facet f) {
+  precise float all_ = 0.0f;
+#if defined LAMPS
+#if SHADOWED_LAMPS > 0
+  for (int i = 0; i < SHADOWED_LAMPS; ++i) all_ = all_ + brightnessOf(lampLightOn(f, i));
+#endif
+#endif
+  return all_;
+}
+
 // A lamp with shadows, chosen with a probability proportional to its light. Its light is divided by that probability.
 struct Chosen {
   int lamp;  // index of the lamp; -1 if no lamp gives light

@@ -54,30 +54,30 @@ vec3 towardsSun(int path, Facet f, vec3 u) {
   return vec3(0);
 }
 
-// Starts the shadow ray to a lamp or to an emitting triangle. An emitting triangle is chosen always if no lamp casts
-// shadows, else in half of the samples.
+// Starts the shadow ray to a lamp or to an emitting triangle. One of them is chosen with a probability proportional to
+// its light.
 void towardsLamp(int path, Facet f, vec3 u) {
-  precise float times = 1.0f;
+  precise float all_ = brightnessOfLamps(f);
+  float wanted = u.z, times = 1.0f;
 #ifdef EMITTERS
   if (emitterCount > 0) {
-#if defined LAMPS && SHADOWED_LAMPS > 0
-    bool emitter = u.z < 0.5f;
-    precise float half_ = u.z * 2.0f - (emitter ? 0.0f : 1.0f);
-    u.z = clamp(half_, 0.0f, 0.999999f);
-    times = 2.0f;
-#else
-    const bool emitter = true;
-#endif
-    if (emitter) {
-      Emitting e = emittingTowards(f.place, u);
-      precise vec3 light = emittedLight(f, e, true) * times;
+    ChosenEmitter e = chosenEmitter(f, u, true);
+    precise float both = all_ + e.bright;
+    precise float likely = e.bright * exactReciprocal(max(both, 1e-25f));
+    if (e.bright > 0.0f && u.z < likely) {
+      precise vec3 light = e.light * (both * exactReciprocal(max(e.bright, 1e-25f)));
       putLightRay(1, lampKind, path, beginning(f, e.direction), e.direction, e.far, light);
       return;
     }
+    precise float rest = 1.0f - likely;
+    precise float left = (u.z - likely) * exactReciprocal(max(rest, 1e-12f));
+    precise float more = both * exactReciprocal(max(all_, 1e-25f));
+    wanted = clamp(left, 0.0f, 0.999999f);
+    times = more;
   }
 #endif
-  Chosen chosen = chosenLamp(f, u.z);
 #ifdef LAMPS
+  Chosen chosen = chosenLamp(f, wanted);
   if (chosen.lamp >= 0) {
     precise vec3 to = lampPlaceAt(f.place, chosen.lamp, u.x, u.y) - f.place;
     vec3 direction = unitOf(to);

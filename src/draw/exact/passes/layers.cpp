@@ -9,6 +9,15 @@
 
 namespace simreel::draw {
 
+struct LensSources {
+  static constexpr auto file = "draw/exact/screen/lens_sources.comp";
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::Uniform<"number", int> number;
+  gl::Uniform<"lens", glm::vec3> lens;
+  gl::In<"nearness"> nearness;
+  gl::Out<"sources"> sources;
+};
+
 namespace {
 
 /// Creates the requested layers. Normals and albedo are shaded like light; the other layers are computed
@@ -24,8 +33,10 @@ class LayersPass final : public FramePass {
   [[nodiscard]] bool wants(Layer layer) const {
     return std::find(f.wanted->layers.begin(), f.wanted->layers.end(), layer) != f.wanted->layers.end();
   }
+  [[nodiscard]] bool shifts() const { return f.views > 1 && f.shiftsLens(); }
   void begin();
   void keepVisible(const std::vector<DrawnThing>& things);
+  void countShifted();
   void shade();
   void keepShown();
   [[nodiscard]] std::optional<Velocities> velocitiesNow() const;
@@ -33,10 +44,16 @@ class LayersPass final : public FramePass {
 
   std::optional<LayerKeeper> visible_;
   std::optional<CoverageCounter> shares_;
+  gl::Kernel<LensSources> shift_;
+  gl::Texture sources_;  ///< four pixels of the view for each pixel
   std::array<gl::Texture, shownLayers.size()> shown_;
 };
 
 void LayersPass::asked() {
+  if (f.shiftsLens() && wants(Layer::object)) {
+    shift_ = gl::Kernel<LensSources>(gl::Defines());
+    sources_ = gl::Texture::image("pixels seen through the lens", GL_RGBA32UI, f.size.x, f.size.y);
+  }
   for (std::size_t i = 0; i < shownLayers.size(); ++i)
     if (wants(shownLayers[i]))
       shown_[i] = gl::Texture::image("a layer of the picture", GL_RGBA32F, f.size.x, f.size.y);
@@ -51,6 +68,7 @@ void LayersPass::run() {
   if (shares_) shares_->add(f.visibility.readNumbers(), f.values, things);
   if (first) shade();
   if (first && lastBand) keepShown();
+  if (shares_ && lastBand && shifts()) countShifted();
   if (!lastBand || f.number + 1 < f.views) return;
   if (shares_) shares_->finish(f.layers, f.views);
   shares_.reset();
@@ -60,7 +78,7 @@ void LayersPass::begin() {
   constexpr std::array<GLfloat, 4> none = {0, 0, 0, 0};
   visible_.emplace(f.layers, f.wanted->layers, f.size, f.samples);
   shares_.reset();
-  if (wants(Layer::object)) shares_.emplace(f.size, f.samples);
+  if (wants(Layer::object)) shares_.emplace(f.size, f.samples, shifts());
   for (const gl::Texture& layer : shown_)
     if (layer) glClearTexImage(layer.name(), 0, GL_RGBA, GL_FLOAT, none.data());
 }
@@ -70,6 +88,19 @@ void LayersPass::keepVisible(const std::vector<DrawnThing>& things) {
   const std::optional<CameraWay> way = cameraWayNow();
   visible_->add(f.visibility, f.values, things, velocities ? &*velocities : nullptr, way ? &*way : nullptr,
                 f.seen.farther);
+}
+
+/// Counts the samples of the view that each pixel shows through lens points of its own.
+void LayersPass::countShifted() {
+  std::vector<glm::uvec4> from(static_cast<std::size_t>(f.size.x) * static_cast<std::size_t>(f.size.y));
+  gl::barrier();
+  shift_.dispatch(
+      f.size,
+      {.number = f.number, .lens = f.lensShiftNow(), .nearness = f.lensNearness, .sources = sources_});
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glGetTextureImage(sources_.name(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                    static_cast<GLsizei>(from.size() * sizeof(glm::uvec4)), from.data());
+  shares_->countView(from);
 }
 
 void LayersPass::shade() {

@@ -13,7 +13,77 @@ struct LensSumKernel {
   gl::InOut<"total"> total;
 };
 
+struct LensNearness {
+  static constexpr auto file = "draw/exact/screen/lens_nearness.comp";
+  struct Variant {
+    SampleVariant samples;
+    gl::Flag<"GROUND"> ground;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Ambient<"ViewBlock"> view = {};
+  SamplesRead samples;
+  gl::Out<"nearness"> nearness;
+};
+
+struct LensShift {
+  static constexpr auto file = "draw/exact/screen/lens_shift.comp";
+  gl::Ambient<"ViewBlock"> view = {};
+  gl::Uniform<"number", int> number;
+  gl::Uniform<"lens", glm::vec3> lens;
+  gl::In<"nearness"> nearness;
+  gl::In<"sums"> light;
+  gl::Out<"shifted"> shifted;
+};
+
 namespace {
+
+/// Keeps the nearness of each pixel of the band for the shift.
+class LensNearnessPass final : public FramePass {
+ public:
+  explicit LensNearnessPass(ExactFrame& frame) : FramePass(frame) {
+    if (!frame.shiftsLens()) return;
+    nearest_ = gl::Kernel<LensNearness>(gl::Defines(), {.samples = frame.visibility.variant(),
+                                                        .ground = visibleGround(frame.scene) != nullptr});
+    frame.lensNearness = gl::Texture::image("nearness for the lens", GL_R32F, frame.size.x, frame.size.y);
+  }
+  [[nodiscard]] bool on() const override { return f.views > 1 && f.shiftsLens(); }
+  void run() override {
+    gl::barrier();
+    nearest_.dispatch({f.size.x, f.values.rows.y - f.values.rows.x},
+                      {.samples = f.visibility.read(), .nearness = f.lensNearness});
+  }
+
+ private:
+  gl::Kernel<LensNearness> nearest_;
+};
+
+/// Shows each pixel through lens points of its own. Glows are added later and are not shifted, because they
+/// are not in the visibility buffer and few points of a bright disc would be coarse grain.
+class LensShiftPass final : public FramePass {
+ public:
+  explicit LensShiftPass(ExactFrame& frame) : FramePass(frame) {
+    if (!frame.shiftsLens()) return;
+    shift_ = gl::Kernel<LensShift>(gl::Defines());
+    shifted_ = gl::Texture::image("light through points of a lens", GL_RGBA32F, frame.size.x, frame.size.y);
+  }
+  [[nodiscard]] bool on() const override { return f.views > 1 && f.shiftsLens(); }
+  void run() override {
+    gl::barrier();
+    shift_.dispatch(f.size, {.number = f.number,
+                             .lens = f.lensShiftNow(),
+                             .nearness = f.lensNearness,
+                             .light = f.light,
+                             .shifted = shifted_});
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glCopyImageSubData(shifted_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, f.light.name(), GL_TEXTURE_2D, 0, 0, 0,
+                       0, f.size.x, f.size.y, 1);
+    gl::barrier();
+  }
+
+ private:
+  gl::Kernel<LensShift> shift_;
+  gl::Texture shifted_;
+};
 
 /// Computes the mean of all views (moments and lens points).
 class MeanPass final : public FramePass {
@@ -46,6 +116,12 @@ class MeanPass final : public FramePass {
 
 }  // namespace
 
+std::unique_ptr<Pass> makeLensNearness(ExactFrame& frame) {
+  return std::make_unique<LensNearnessPass>(frame);
+}
+std::unique_ptr<Pass> makeLensShift(ExactFrame& frame) {
+  return std::make_unique<LensShiftPass>(frame);
+}
 std::unique_ptr<Pass> makeMean(ExactFrame& frame) {
   return std::make_unique<MeanPass>(frame);
 }

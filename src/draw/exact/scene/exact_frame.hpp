@@ -62,6 +62,13 @@ struct ExactFrame {
   /// the light of opaque surfaces.
   [[nodiscard]] bool evensLast() const;
   [[nodiscard]] bool keepsLayers() const { return wanted && number == 0; }
+  /// True if each pixel looks through lens points of its own beside the point of the view
+  /// (glsl/draw/exact/screen/lens_shift.glsl).
+  [[nodiscard]] bool shiftsLens() const { return scene.camera.lens && !visibility.layout().parallel; }
+  /// Returns lensShift() of the current view. Only if shiftsLens().
+  [[nodiscard]] glm::vec3 lensShiftNow() const {
+    return lensShift(scene.camera, seen, size, point.focus, moment.seconds);
+  }
   /// Returns the distance (m) from the camera to its target.
   [[nodiscard]] float away() const;
   [[nodiscard]] GroundPlace groundPlace() const;
@@ -144,6 +151,7 @@ struct ExactFrame {
   ExactInstances instances;
   gl::Kernels<ShadeGround> groundShading;
   std::optional<RayLight> rays;
+  gl::Texture lensNearness;  ///< nearness of each pixel of the view, if the camera has a lens
   gl::Texture light;  ///< RGB light of each pixel; alpha: coverage, negative where the light is compressed
                       ///< (glsl/draw/exact/screen/edge_light.glsl)
 };

@@ -10,11 +10,16 @@ constexpr unsigned groundObject = 0xfffffffeU, noObject = 0xffffffffU;  // speci
                                                                         // for empty samples, as in
                                                                         // tile_lists.glsl
 
+constexpr std::uint32_t quarters = 4;  // unit in which samples are counted: 1 / quarters
+
 }  // namespace
 
-CoverageCounter::CoverageCounter(glm::ivec2 size, int samples)
+CoverageCounter::CoverageCounter(glm::ivec2 size, int samples, bool shifted)
     : samples_(static_cast<std::size_t>(samples)),
-      first_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {}
+      shifted_(shifted),
+      first_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {
+  if (shifted_) view_.assign(first_.size() * samples_, noObject);
+}
 
 std::uint32_t CoverageCounter::numbered(const std::string& name) {
   const auto found = std::find(objects_.begin(), objects_.end(), name);
@@ -23,20 +28,20 @@ std::uint32_t CoverageCounter::numbered(const std::string& name) {
   return static_cast<std::uint32_t>(objects_.size() - 1);
 }
 
-void CoverageCounter::countOne(std::size_t pixel, std::uint32_t object) {
+void CoverageCounter::count(std::size_t pixel, std::uint32_t object, std::uint32_t samples) {
   Count& first = first_[pixel];
   if (first.samples == 0) first.object = object;
   if (first.object == object) {
-    ++first.samples;
+    first.samples += samples;
     return;
   }
   std::vector<Count>& others = more_[pixel];
   const auto same =
       std::find_if(others.begin(), others.end(), [&](const Count& one) { return one.object == object; });
   if (same == others.end())
-    others.push_back({object, 1});
+    others.push_back({object, samples});
   else
-    ++same->samples;
+    same->samples += samples;
 }
 
 void CoverageCounter::add(std::span<const unsigned> numbers, const shader::ExactView& view,
@@ -62,13 +67,31 @@ void CoverageCounter::add(std::span<const unsigned> numbers, const shader::Exact
         object = numbered((after - 1)->object);
       last = number;
     }
-    countOne(begin + i / samples_, object);
+    if (shifted_)
+      view_[begin * samples_ + i] = object;
+    else
+      count(begin + i / samples_, object, quarters);
   }
+}
+
+void CoverageCounter::countView(std::span<const glm::uvec4> from) {
+  for (std::size_t pixel = 0; pixel < from.size(); ++pixel)
+    for (int part = 0; part < static_cast<int>(quarters); ++part) {
+      const auto shown = std::span(view_).subspan(from[pixel][part] * samples_, samples_);
+      for (std::size_t i = 0; i < samples_;) {
+        std::size_t end = i + 1;
+        while (end < samples_ && shown[end] == shown[i]) ++end;
+        if (shown[i] != noObject) count(pixel, shown[i], static_cast<std::uint32_t>(end - i));
+        i = end;
+      }
+    }
+  std::fill(view_.begin(), view_.end(), noObject);
 }
 
 void CoverageCounter::finish(PictureLayers& into, int pictures) const {
   const std::size_t all = samples_ * static_cast<std::size_t>(pictures);
-  const std::size_t ranks = std::min(all, static_cast<std::size_t>(PictureLayers::maxCoveragesPerPixel));
+  const std::size_t ranks = std::min(shifted_ ? quarters * all : all,
+                                     static_cast<std::size_t>(PictureLayers::maxCoveragesPerPixel));
   into.objects = objects_;
   into.ranks = static_cast<int>(ranks);
   into.shares.assign(first_.size() * ranks, {});
@@ -82,7 +105,7 @@ void CoverageCounter::finish(PictureLayers& into, int pictures) const {
                      [](const Count& a, const Count& b) { return a.samples > b.samples; });
     for (std::size_t rank = 0; rank < std::min(found.size(), ranks); ++rank)
       into.shares[pixel * ranks + rank] = {
-          found[rank].object, static_cast<float>(found[rank].samples) / static_cast<float>(all)};
+          found[rank].object, static_cast<float>(found[rank].samples) / static_cast<float>(quarters * all)};
   }
 }
 

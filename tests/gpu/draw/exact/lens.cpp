@@ -90,6 +90,11 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
         squares += by * by * at * at / 37.0;
       }
       if (focus > 4) mean = -mean;
+      // Each pixel looks through its own points of squares around the lens points.
+      const glm::dvec3 shift(draw::lensShift(scene.camera, view, size, focus, 0));
+      const double radius =
+          shift.x * static_cast<double>(focus) / (0.5 * size.y / static_cast<double>(view.reach.y));
+      squares += by * by * radius * radius * shift.z * shift.z / 12.0;
       CHECK(seen.middle.x - 0.5 * (size.x - 1) ==
             doctest::Approx(mean.x).epsilon(0.02).scale(focus == 4 ? 30 : 10));
       CHECK(seen.middle.y - 0.5 * (size.y - 1) ==
@@ -101,6 +106,36 @@ TEST_CASE("exact: a lens spreads what is out of focus as its opening, and keeps 
       CHECK(coveredBy(scene, drawables, size, 17, "lens").light == seen.light);  // drawing in bands gives
                                                                                  // the same light
     }
+}
+
+TEST_CASE("exact: few points of a lens show grain instead of the edges of their views") {
+  testContext();
+  const TriangleStage sheet({{-3, -3, -1}, {0, -3, -1}, {-3, 3, -1}, {0, 3, -1}}, {0, 1, 2, 2, 1, 3},
+                            std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)));
+  sim::Drawables drawables;
+  drawables.surfaces = {sheet.surface};
+  scene::Scene scene;
+  scene.sun.shadow = false;
+  scene.camera.position = glm::vec3(0, 0, 3);
+  scene.camera.target = glm::vec3(0, 0, -1);
+  const glm::ivec2 size(160, 120);
+  scene.camera.lens.emplace();
+  scene.camera.lens->fNumber = 0.04F;
+  scene.camera.lens->samples = 8;
+  scene.camera.lens->focus = 8.0F;
+  const Covered seen = coveredBy(scene, drawables, size, size.y, "lens");
+  // The coverage falls from 1 to 0 across the vertical edge. Without grain, the mean of each column steps
+  // by 1/8 at the edge of each view.
+  double widest = 0, before = 1;
+  for (int x = 0; x < size.x; ++x) {
+    double mean = 0;
+    for (int y = 20; y < 100; ++y)
+      mean += static_cast<double>(seen.light[static_cast<std::size_t>(4 * (y * size.x + x) + 3)]) / 80;
+    widest = std::max(widest, before - mean);
+    before = mean;
+  }
+  CHECK(before == 0);
+  CHECK(widest < 0.1);
 }
 
 TEST_CASE("exact: a lens adds each of its points once, in equal parts") {

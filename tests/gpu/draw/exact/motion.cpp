@@ -235,11 +235,12 @@ TEST_CASE("exact: with a lens each moment is seen through other points of it, al
   alone.keepPasses(&lens);
   alone.draw(0, {.surfaces = {sheet->surface}});
   const Smear wanted = smearOf(lens, shotSize);
-  // The same views are summed in a different order.
-  CHECK(seen.area == doctest::Approx(wanted.area).epsilon(1e-5));
+  // The same views are summed in a different order, and each pixel looks through other points beside
+  // theirs.
+  CHECK(seen.area == doctest::Approx(wanted.area).epsilon(2e-3));
   for (int i = 0; i < 2; ++i) {
-    CHECK(seen.middle[i] == doctest::Approx(wanted.middle[i]).epsilon(1e-5));
-    CHECK(seen.spread[i] == doctest::Approx(wanted.spread[i]).epsilon(1e-4));
+    CHECK(seen.middle[i] == doctest::Approx(wanted.middle[i]).epsilon(1e-3));
+    CHECK(seen.spread[i] == doctest::Approx(wanted.spread[i]).epsilon(1e-2));
   }
 }
 
