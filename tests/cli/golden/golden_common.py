@@ -44,8 +44,7 @@ class GoldenCase(Case):
         self.write(f"scenes/{name}.json", with_values({"render.rasterizer": self.rasterizer, **values}, TESTED))
 
     def make_baselines(self, *arguments):
-        done = self.good("test", "scenes", "--update", *arguments)
-        return done
+        self.once("test", "scenes", "--update", *arguments)
 
     def run_suite(self, code, *arguments, **options):
         """Runs `simreel test scenes`, checks the exit code if one is given, and returns the report."""
@@ -109,11 +108,6 @@ class GoldenCase(Case):
         path.write_bytes(picture)
         listed = self.pixel_hash(picture)
         self.edit_json(self.golden("a/any/baseline.json"), lambda b: b["frames"][str(frame)].update(pixels=listed))
-
-    def tree(self, folder):
-        """Returns the bytes of every file below a folder, by path."""
-        root = self.folder / folder
-        return {str(p.relative_to(root)): p.read_bytes() for p in sorted(root.rglob("*")) if p.is_file()}
 
     def mutated_glsl(self, name, old, new):
         """Copies the shaders with one place of one file changed, for $SIMREEL_GLSL."""

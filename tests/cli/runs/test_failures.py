@@ -109,7 +109,7 @@ class Scarce(Case):
 
     def setUp(self):
         super().setUp()
-        self.good("render", "scene.json", "-o", "whole/")
+        self.once("render", "scene.json", "-o", "whole/")
 
     def assert_same(self, prepare):
         done = self.good("render", "scene.json", "-o", "out/", "-v", preexec_fn=prepare)

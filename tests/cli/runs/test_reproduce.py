@@ -8,7 +8,7 @@ from common import Case, main, with_values, without_hash
 class Reproduce(Case):
     def setUp(self):
         super().setUp()
-        self.good("render", "scene.json", "-o", "out/", "--seed", "3", "-D", "objects.flag.cloth.jitter=0.02", "-D", "title=it's")
+        self.once("render", "scene.json", "-o", "out/", "--seed", "3", "-D", "objects.flag.cloth.jitter=0.02", "-D", "title=it's")
 
     def test_frames_are_reproduced_from_the_files_beside_them(self):
         (self.folder / "scene.json").unlink()  # `reproduce` does not need the scene's file.
