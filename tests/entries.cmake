@@ -126,7 +126,7 @@ if(Python3_FOUND AND TARGET simreel)
       set_property(TEST "cli: ${module}" APPEND PROPERTY LABELS quick)
     endif()
     # many small pictures, so compiling shaders takes most of the time, as in gpu/draw above
-    if(module MATCHES "^(serve|passes)")
+    if(module MATCHES "^(serve.*|data_pictures|film|framing|materials|over_picture|passes|views)$")
       without_optimizing("cli: ${module}")
     endif()
   endforeach()

@@ -159,7 +159,7 @@ class Vectors(Case):
     def test_pictures_continue_from_a_checkpoint(self):
         self.scene({"w": {"flow": {"u": "-y", "v": "x"}}, "lines": {"streamlines": {"of": "w"}}, "arrows": {"arrows": {"of": "dust", "length": 0.4}},
                     "dust": {"particles": {"groups": [{"count": 9, "speed": 1}], "gravity": 0.1, "trails": {"frames": 6, "width": 0.1}}}},
-                   camera={"position": [0, 0, 6], "target": [0, 0, 0]})
+                   camera={"position": [0, 0, 6], "target": [0, 0, 0]}, time={"fps": 30, "duration": 0.4})
         self.good("render", "a.json", "-o", "one/", "--frames", "9", "-q")
         self.good("render", "a.json", "-o", "part/", "--frames", "0-5", "--checkpoint-at", "5", "-q")
         self.good("render", "a.json", "-o", "rest/", "--from", "part/checkpoint.000005", "--frames", "9", "-q")
