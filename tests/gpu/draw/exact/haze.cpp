@@ -175,3 +175,28 @@ TEST_CASE("haze: a blended sheet adds the haze before it in proportion to its op
           doctest::Approx(0.25 * (1 - std::exp(-way / 10))).epsilon(1e-3));
   }
 }
+
+TEST_CASE("haze: a black wall behind a pane of glass looks the same in all qualities") {
+  testContext();
+  double seen[3] = {0, 0, 0};
+  double bare = 0;
+  for (int i = 0; i < 4; ++i) {
+    scene::Scene scene = darkInHaze(qualities[i % 3], 10);
+    scene.render.raySamples = 256;
+    GridStage wall({2, 2}, {-30, 30, -6}, {60, 0, 0}, {0, -60, 0});
+    GridStage pane({2, 2}, {-9, 9, 0}, {18, 0, 0}, {0, -18, 0});
+    wall.material.color = glm::vec3(0);
+    pane.material.color = glm::vec3(1);
+    pane.material.roughness = 0;
+    pane.material.finish.transmission = 1;
+    pane.material.finish.thin = true;
+    sim::Drawables drawables{.surfaces = {wall.surface}};
+    if (i < 3) drawables.surfaces.push_back(pane.surface);
+    (i < 3 ? seen[i] : bare) = rayPicture(scene, drawables, {25, 17}).at(12, 8).x;
+  }
+  // The pane reflects a dark sky, so less of the haze behind it is seen.
+  CHECK(seen[0] < 0.99 * bare);
+  CHECK(seen[0] > 0.85 * bare);
+  CHECK(seen[1] == doctest::Approx(seen[0]).epsilon(1e-5));
+  CHECK(seen[2] == doctest::Approx(seen[0]).epsilon(0.02));
+}
