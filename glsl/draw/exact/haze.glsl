@@ -1,14 +1,15 @@
-// Haze between the eye and what it sees (HAZE). Air lets the fraction exp(-t) of light through, where t is the optical
-// depth, and adds the fraction 1 - exp(-t) of its own radiance (Beer-Lambert law). Its density falls by 1/e per scale
-// height. It does not dim the light that sun, sky and lamps send to surfaces. HAZE 1: the radiance is the sky's in that
-// direction, or the horizon's if the direction is below it. HAZE 2: it is frame.hazeColor. The including file declares
-// `view` and `frame`. Compiles as GLSL and as C++.
+// Haze along rays (HAZE). Air lets the fraction exp(-t) of light through, where t is the optical depth, and adds the
+// fraction 1 - exp(-t) of its own radiance (Beer-Lambert law). Its density falls to 1/e per scale height. Haze does not
+// dim the light that sun, sky and lamps send to surfaces. HAZE 1: its radiance is the sky's in the ray's direction, or
+// the horizon's if the ray descends. HAZE 2: its radiance is frame.hazeColor. The including file declares `view` and
+// `frame`. Compiles as GLSL and as C++.
 #if !defined EXACT_HAZE && defined HAZE
 #define EXACT_HAZE
 #include "draw/sky.glsl"
 
-// Returns the optical depth of the way `along` (m) from a point. With u = way's rise / scale height, the mean density is
-// (d0 - d1) / u for the densities d0 and d1 at the ends, or sinh(u/2) / (u/2) times the density in the middle.
+// Returns the optical depth of the way `along` (m) from a point. With u = rise of the way / scale height, the mean
+// density is (d0 - d1) / u for the densities d0 and d1 at the ends, or sinh(u/2) / (u/2) times the density in the
+// middle.
 FUNCTION float opticalDepth(vec3 from, vec3 along) {
   precise float first = (from.y - frame.haze.w) * frame.haze.y;
   precise float u = along.y * frame.haze.y;
@@ -61,8 +62,8 @@ FUNCTION float passed(float depth) {
   return exactExp(-depth);
 }
 
-// Returns the radiance of dense haze in a unit direction, as mirrors show it: without the glow around the sun. A blurred
-// environment image keeps its details out of the haze.
+// Returns the radiance of dense haze in a unit direction, for reflected rays: without the glow around the sun. The
+// environment image is blurred, because its details would appear in the haze.
 FUNCTION vec3 hazeInMirror(vec3 direction) {
 #if HAZE == 2
   return vec3(frame.hazeColor);
@@ -73,7 +74,7 @@ FUNCTION vec3 hazeInMirror(vec3 direction) {
 #endif
 }
 
-// Returns the radiance of dense haze in a unit direction, as the eye sees it.
+// Returns the radiance of dense haze in a unit direction, for rays from the eye.
 FUNCTION vec3 hazeTowards(vec3 direction) {
 #if HAZE == 2 || defined ENVIRONMENT
   return hazeInMirror(direction);
@@ -89,8 +90,8 @@ FUNCTION vec3 hazeTowards(vec3 direction) {
 #endif
 }
 
-// Returns light from p as the eye sees it. `alpha`: fraction of the background that the light's source covers. REFLECTED:
-// `light` is a change of light, to which the haze adds nothing.
+// Returns light from p as it arrives at the eye. `alpha`: fraction of the background that the light's source covers.
+// REFLECTED: `light` is a change of light, to which the haze adds nothing.
 FUNCTION vec3 throughHaze(vec3 light, float alpha, vec3 p) {
   float passes = passed(hazeBefore(p));
 #ifdef REFLECTED
@@ -107,16 +108,18 @@ FUNCTION vec3 mirroredThroughHaze(vec3 light, float passes, vec3 direction) {
   return seen;
 }
 
-// Returns the light of the picture (times its weight w) at the end of the way `along` in the unit `direction` from p, as
-// it is at p. The picture shows that light through the haze before the eye, which is taken away. The eye sees the result
-// through the haze before p, so the light is brightened at most by that.
+// Returns the light of the picture where a reflected or refracted ray from p in the unit `direction` ends after `metres`,
+// as it arrives at p. `light`: the picture's light times its weight w. It contains the haze between eye and object,
+// which is exchanged for the haze along the ray. The light is brightened at most by exp(t) for the optical depth t
+// between eye and p, because the result is dimmed by that later.
 FUNCTION vec4 pictureThroughHaze(vec4 light, vec3 p, vec3 direction, float metres) {
   precise vec3 along = direction * metres;
   precise vec3 end = p + along;
   float shown = hazeBefore(end), behind = hazeBehind(p, along);
   precise vec3 plain = vec3(light) - hazeTowards(unitOf(fromEye(end))) * (light.w * (1.0f - passed(shown)));
   precise float change = shown - behind;
-  precise vec3 seen = max(plain, vec3(0.0f)) * exactExp(min(change, hazeBefore(p))) + hazeInMirror(direction) * (light.w * (1.0f - passed(behind)));
+  precise vec3 seen = max(plain, vec3(0.0f)) * exactExp(min(change, hazeBefore(p))) +
+                      hazeInMirror(direction) * (light.w * (1.0f - passed(behind)));
   return vec4(seen, light.w);
 }
 #endif
