@@ -299,7 +299,9 @@ void Ground::describe(Fields& fields) {
   fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.number("fadeStart", fadeStart, notNegative, "m",
                 "Distance from the camera's target where it begins to dissolve into the sky.");
+  fields.leftOut("fadeStart", "15; with \"haze\" at least its \"start\" + 5 \"distance\"");
   fields.number("fadeEnd", fadeEnd, notNegative, "m", "Distance at which it has dissolved.");
+  fields.leftOut("fadeEnd", "40; with \"haze\" at least its \"start\" + 8 \"distance\"");
   if (!(fadeStart < fadeEnd))
     fields.error(
         fields.given("fadeStart") ? "fadeStart" : "fadeEnd",

@@ -79,8 +79,9 @@ FUNCTION vec3 hazeTowards(vec3 direction) {
 #if HAZE == 2 || defined ENVIRONMENT
   return hazeInMirror(direction);
 #else
-  // The direction's projection on the horizon is shorter than 1, so the glow vanishes where the view goes straight down.
-  precise float glow = max(exactDot(vec3(direction.x, max(direction.y, 0.0f), direction.z), vec3(frame.sunDirection)), 0.0f);
+  // Below the horizon, the direction's projection is shorter than 1, so the glow vanishes for a view straight down.
+  vec3 level = vec3(direction.x, max(direction.y, 0.0f), direction.z);
+  precise float glow = max(exactDot(level, vec3(frame.sunDirection)), 0.0f);
   glow = glow * glow;
   glow = glow * glow;
   glow = glow * glow;
@@ -108,8 +109,8 @@ FUNCTION vec3 mirroredThroughHaze(vec3 light, float passes, vec3 direction) {
   return seen;
 }
 
-// Returns the light of the picture where a reflected or refracted ray from p in the unit `direction` ends after `metres`,
-// as it arrives at p. `light`: the picture's light times its weight w. It contains the haze between eye and object,
+// Returns the light of the picture where a reflected or refracted ray from p in the unit `direction` ends after
+// `metres`, as it arrives at p. `light`: the picture's light times its weight w. It contains the haze between eye and object,
 // which is exchanged for the haze along the ray. The light is brightened at most by exp(t) for the optical depth t
 // between eye and p, because the result is dimmed by that later.
 FUNCTION vec4 pictureThroughHaze(vec4 light, vec3 p, vec3 direction, float metres) {
