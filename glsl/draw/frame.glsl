@@ -26,6 +26,9 @@ struct STD140 Frame {
   vec4 whiteRed;           // rgb: result of the white balance for red light of 1
   vec4 whiteGreen;         // rgb: result of the white balance for green light of 1
   vec4 whiteBlue;          // rgb: result of the white balance for blue light of 1
+  vec4 haze;               // x: extinction at the height w (1/m), y: 1 / scale height (1/m), 0 if uniform, z: radius of
+                           // the clear air around the eye (m), w: height of the ground (m)
+  vec4 hazeColor;          // rgb: radiance of dense haze, if the scene gives its colour
   vec2 size;               // picture size in pixels
   float exposure;          // exposure: factor on the light
   float vignette;

@@ -27,6 +27,10 @@ Frame frameOnce() {  // Reads each member of Frame once (common/once.glsl).
   one.whiteRed = once(frameBlock.whiteRed);
   one.whiteGreen = once(frameBlock.whiteGreen);
   one.whiteBlue = once(frameBlock.whiteBlue);
+#ifdef HAZE
+  one.haze = once(frameBlock.haze);
+  one.hazeColor = once(frameBlock.hazeColor);
+#endif
   one.size = once(frameBlock.size);
   one.exposure = once(frameBlock.exposure);
   one.vignette = once(frameBlock.vignette);

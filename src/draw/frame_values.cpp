@@ -64,6 +64,14 @@ void setGround(shader::Frame& frame, const scene::Ground& ground) {
   frame.perGroundFade = 1.0F / std::max(ground.fadeEnd - ground.fadeStart, 1e-3F);
 }
 
+void setHaze(shader::Frame& frame, const scene::Scene& scene, double seconds) {
+  if (!scene.haze) return;
+  const scene::Haze& haze = *scene.haze;
+  frame.haze = {1 / haze.distance.at(seconds), haze.height ? 1 / static_cast<float>(*haze.height) : 0.0F,
+                haze.start, scene.ground ? scene.ground->height : 0.0F};
+  if (haze.color) frame.hazeColor = glm::vec4(haze.color->at(seconds), 0);
+}
+
 }  // namespace
 
 shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double seconds,
@@ -82,6 +90,7 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   setSun(frame, scene.sun, seconds);
   setSky(frame, scene.sky, seconds);
   setGround(frame, scene.ground.value_or(scene::Ground()));
+  setHaze(frame, scene, seconds);
   frame.size = size;
   frame.exposure = static_cast<float>(ieee::exp2(static_cast<double>(scene.render.exposure.at(seconds))));
   frame.vignette = scene.render.vignette;

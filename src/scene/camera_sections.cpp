@@ -192,7 +192,7 @@ void Camera::describe(Fields& fields) {
   fields.number("near", near, positive, "m", "Nearest distance drawn.");
   fields.leftOut("near", "0.05, or that of \"gltf\"");
   fields.number("far", far, positive, "m", "Farthest distance drawn.");
-  fields.leftOut("far", "200, or that of \"gltf\"");
+  fields.leftOut("far", "200, or that of \"gltf\"; with \"haze\" at least its \"start\" + 16 \"distance\"");
   if (!(near < far))
     fields.error(fields.given("near") ? "near" : "far",
                  fmt::format("\"near\" ({} m) must be less than \"far\" ({} m)", near, far));

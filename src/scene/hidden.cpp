@@ -129,7 +129,7 @@ void warnHiddenOn(const Node& root, const Scene& scene, const Object& cover, Dia
 /// Warns about the first section for light and surroundings if the whole picture is the field of `cover`,
 /// and the scene has nothing in the world.
 void warnUnlit(const Node& root, const Object& cover, Diagnostics& diagnostics) {
-  for (const char* section : {"stage", "sun", "sky", "ground", "lights"}) {
+  for (const char* section : {"stage", "sun", "sky", "haze", "ground", "lights"}) {
     const Node* const given = root.find(section);
     if (given == nullptr || given->kind == Node::Kind::boolean) continue;
     diagnostics.remark(given->headPlace(),

@@ -5,6 +5,7 @@
 #include "base/hash.hpp"
 #include "scene/fitted.hpp"
 #include "scene/framing.hpp"
+#include "scene/haze_reach.hpp"
 #include "scene/hidden.hpp"
 #include "scene/idle_keys.hpp"
 #include "scene/json/json_node.hpp"
@@ -243,6 +244,9 @@ void readScene(const Node& root, ReadContext context, const Kinds& kinds, bool h
           root.find("stage") != nullptr ? root.find("stage")->headPlace() : root.headPlace(), advice);
     frameObjects(scene, framed);
     openFloor(scene);
+    extendGroundIntoHaze(scene);
+    const Node* camera = root.find("camera");
+    if (camera == nullptr || camera->find("far") == nullptr) extendViewIntoHaze(scene);
     warnHidden(root, scene, context.diagnostics);
     warnIdleKeys(root, scene, context.diagnostics);
   }

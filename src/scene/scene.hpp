@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/finish.hpp"
+#include "scene/haze.hpp"
 #include "scene/light.hpp"
 #include "scene/test.hpp"
 #include "scene/value/animated.hpp"
@@ -351,6 +352,7 @@ struct Scene {
   Camera camera;
   Sun sun;
   Sky sky;
+  std::optional<Haze> haze;
   Stage stage;
   bool staged = false;    ///< true if the stage supplies the values that the scene leaves out
   bool surveyed = false;  ///< true if camera and stage were placed by a trial run (sim/world/survey.hpp)

@@ -20,6 +20,9 @@ constexpr const char* sunDoc =
     "The one directional light and its shadow. The stage supplies the values that a scene leaves out.";
 constexpr const char* skyDoc =
     "Ambient light and background gradient. The stage supplies the values that a scene leaves out.";
+constexpr const char* hazeDoc =
+    "Air that dims distant things and adds its own light, so that ground and hills melt into the sky. It "
+    "extends the ground and the camera's \"far\" to where it hides everything.";
 constexpr const char* groundDoc =
     "Ground plane, which is drawn and collided with. Without it, the stage draws a floor below everything, "
     "and nothing collides with that floor.";
@@ -296,7 +299,9 @@ void Ground::describe(Fields& fields) {
   fields.number("roughness", roughness, fraction, "", "0 mirrors, 1 is matt.");
   fields.number("fadeStart", fadeStart, notNegative, "m",
                 "Distance from the camera's target where it begins to dissolve into the sky.");
+  fields.leftOut("fadeStart", "15; with \"haze\" at least its \"start\" + 5 \"distance\"");
   fields.number("fadeEnd", fadeEnd, notNegative, "m", "Distance at which it has dissolved.");
+  fields.leftOut("fadeEnd", "40; with \"haze\" at least its \"start\" + 8 \"distance\"");
   if (!(fadeStart < fadeEnd))
     fields.error(
         fields.given("fadeStart") ? "fadeStart" : "fadeEnd",
@@ -329,6 +334,10 @@ void describeScene(Fields& fields, Scene& scene) {
   fields.group("stage", stageDoc, [&](Fields& inner) { scene.stage.describe(inner); });
   fields.group("sun", sunDoc, [&](Fields& inner) { scene.sun.describe(inner); });
   fields.group("sky", skyDoc, [&](Fields& inner) { scene.sky.describe(inner); });
+  fields.shortNumber("haze", "distance");
+  fields.optionalGroup("haze", scene.haze, hazeDoc);
+  if (scene.haze && scene.render.rasterizer == Rasterizer::driver)
+    fields.error("haze", "haze needs \"rasterizer\": \"exact\"");
   if (!scene.sky.picture.empty() && !fields.given("sun")) {
     scene.sun.intensity = 0.0F;
     scene.sun.shadow = false;
@@ -342,13 +351,19 @@ void describeScene(Fields& fields, Scene& scene) {
 }
 
 std::span<const Section> sections() {
-  static const Section all[] = {
-      section<Render>("render", renderDoc), section<Time>("time", timeDoc),
-      section<Camera>("camera", cameraDoc), section<Panel>("panels", panelsDoc),
-      section<Stage>("stage", stageDoc),    section<Sun>("sun", sunDoc),
-      section<Sky>("sky", skyDoc),          section<Ground>("ground", groundDoc),
-      section<Light>("lights", lightsDoc),  section<Material>("material", materialDoc),
-      section<Test>("test", testDoc),       section<Check>("checks", checksDoc)};
+  static const Section all[] = {section<Render>("render", renderDoc),
+                                section<Time>("time", timeDoc),
+                                section<Camera>("camera", cameraDoc),
+                                section<Panel>("panels", panelsDoc),
+                                section<Stage>("stage", stageDoc),
+                                section<Sun>("sun", sunDoc),
+                                section<Sky>("sky", skyDoc),
+                                section<Haze>("haze", hazeDoc),
+                                section<Ground>("ground", groundDoc),
+                                section<Light>("lights", lightsDoc),
+                                section<Material>("material", materialDoc),
+                                section<Test>("test", testDoc),
+                                section<Check>("checks", checksDoc)};
   return all;
 }
 

@@ -11,6 +11,7 @@ using namespace simreel::shader;  // NOLINT: the model uses GLSL's names
 #define EXACT_PICTURE
 #define REFLECTIVE
 #define GROUND_REFLECTIVE
+#define HAZE 1
 #define SAMPLES samples
 /// Provides the inputs of the kernels, and includes the model files.
 struct Kernel {
@@ -20,6 +21,7 @@ struct Kernel {
   const TwinTexture& texture;
 #include "glsl/draw/exact/fixed.glsl"
 #include "glsl/draw/exact/ground_plane.glsl"
+#include "glsl/draw/exact/haze.glsl"
 #include "glsl/draw/exact/screen/edge_light.glsl"
 #include "glsl/draw/exact/unit_vector.glsl"
 #include "glsl/draw/exact/weights.glsl"
@@ -40,6 +42,10 @@ struct Kernel {
            1.5259022e-5F;
   }
   FILTERED(vec3, albedoAt, albedoTexel)
+  /// Returns light from p as the eye sees it; unchanged if the scene has no haze.
+  [[nodiscard]] vec4 hazed(vec4 light, vec3 p) {
+    return frame.haze.x > 0 ? vec4(throughHaze(vec3(light), light.w, p), light.w) : light;
+  }
   [[nodiscard]] vec2 placeOf(ivec2 pixel, int s) {
     return vec2(pixel * 16 + (s < 0 ? ivec2(8) : samplePlace(s))) * 0.0625F;
   }
@@ -47,6 +53,7 @@ struct Kernel {
 #undef SAMPLES
 #undef REFLECTIVE
 #undef GROUND_REFLECTIVE
+#undef HAZE
 #undef EXACT_PICTURE
 #undef precise
 #undef FUNCTION
@@ -115,7 +122,8 @@ vec4 surfaceAt(Kernel& kernel, const PictureTwinScene& scene, ivec2 pixel, std::
   look.roughness = scene.roughness;
   look.metallic = scene.metallic;
   look.openness = 1;
-  return {vec3(0) + kernel.allLight(look, kernel.placeOnRay(ray, depth), up, unitOf(-ray), 1.0F), 1.0F};
+  const vec3 p = kernel.placeOnRay(ray, depth);
+  return kernel.hazed(vec4(vec3(0) + kernel.allLight(look, p, up, unitOf(-ray), 1.0F), 1.0F), p);
 }
 
 vec4 groundAt(Kernel& kernel, ivec2 pixel, int sample) {
@@ -125,7 +133,8 @@ vec4 groundAt(Kernel& kernel, ivec2 pixel, int sample) {
     ray = kernel.rayThrough(kernel.placeOf(pixel, sample));
     depth = kernel.groundDepth(ray);
   }
-  return kernel.groundLight(kernel.placeOnRay(ray, depth), unitOf(-ray), 1.0F, 1.0F);
+  const vec3 p = kernel.placeOnRay(ray, depth);
+  return kernel.hazed(kernel.groundLight(p, unitOf(-ray), 1.0F, 1.0F), p);
 }
 
 /// Returns the light of a pixel's samples, with evened edges. Shades each visible primitive once, and the

@@ -116,7 +116,7 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
     ROUNDED vec3 around = look.openness * skyMirrored(direction, look.roughness), more = vec3(0.0f);
 #ifdef GROUND_BELOW
 #ifdef LAMPS
-    more = below.counts * lampsOnGround(below.p, -direction);
+    more = below.counts * lampsOnMirrored(below, direction);
 #endif
     around = around + below.counts * (groundInSun(below, direction) - around) + more;
 #endif

@@ -66,6 +66,7 @@ struct ShadeVariant {
   gl::Flag<"GROUND_REFLECTIVE"> groundReflective;
   gl::Flag<"REFLECTED"> reflected;
   gl::Range<"SHOWN", 1, 8> shown;
+  gl::Range<"HAZE", 1, 2> haze;  ///< value of HAZE in glsl/draw/exact/haze.glsl; none without haze
 };
 /// Defines for objects other than the ground. Smooth objects may reflect the ground below them
 /// (GROUND_BELOW).
@@ -83,6 +84,7 @@ struct ThingVariant {
   } else if (layer > 0) {
     variant.shade.rays = false;
     variant.shade.shown = layer;
+    variant.shade.haze = {};
   }
   if (smooth) return variant;
   variant.stageGroundHeight = false;

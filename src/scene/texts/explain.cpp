@@ -90,6 +90,7 @@ class Explainer final : public Fields {
 
   void formerly(const char* old, const char* name) override { former_[name] = old; }
   void shorthand(const char* group, const char* field) override { shorthands_[group] = field; }
+  void shortNumber(const char* group, const char* field) override { shorthands_[group] = field; }
 
   void leftOut(const char* name, const char* what) override {
     for (ExplainedValue& value : shared_.values)

@@ -132,6 +132,9 @@ class Fields {
   /// Returns the version of the scene that is read. Returns the newest version while the schema or the help
   /// is written.
   [[nodiscard]] virtual int version() const { return sceneVersion; }
+  /// Allows the scene to give the group declared next as a number or as keyframes, which set its field
+  /// `field`.
+  virtual void shortNumber(const char* /*group*/, const char* /*field*/) {}
 
   void boolean(const char* name, bool& value, const char* doc) { field(name, &value, {doc}); }
   void integer(const char* name, int& value, Range range, const char* unit, const char* doc) {

@@ -69,10 +69,12 @@ void HelpWriter::section(const char* name, bool* present, const char* doc,
                          const std::function<void(Fields&)>& describe) {
   const auto word = shorthands_.find(name);
   const bool isShort = word != shorthands_.end();
+  const auto number = shortNumbers_.find(name);
   add(name, present == nullptr ? "" : "off", "", "",
-      isShort                      ? fmt::format("{} A word alone is its \"{}\".", doc, word->second)
-      : switchable_.contains(name) ? fmt::format("{} Or true: all as by default.", doc)
-                                   : doc);
+      isShort                         ? fmt::format("{} A word alone is its \"{}\".", doc, word->second)
+      : number != shortNumbers_.end() ? fmt::format("{} A number alone is its \"{}\".", doc, number->second)
+      : switchable_.contains(name)    ? fmt::format("{} Or true: all as by default.", doc)
+                                      : doc);
   rows_.back().group = true;
   if (!expandGroups_) return;
   const std::string outer = prefix_;

@@ -52,6 +52,7 @@ class Reader final : public Fields {
                    const std::function<void(Fields&, std::size_t)>& describe) override;
   void formerly(const char* old, const char* name) override;
   void shorthand(const char* group, const char* field) override { shorthands_[group] = field; }
+  void shortNumber(const char* group, const char* field) override { shortNumbers_[group] = field; }
   void switchable(const char* group) override { switchable_.insert(group); }
   void error(const char* name, const std::string& message) override;
   void errorIn(const std::vector<std::string>& path, std::size_t begin, std::size_t end,
@@ -76,7 +77,8 @@ class Reader final : public Fields {
   std::map<std::string, std::string> formerNames_;
   /// Maps a group to the field that is set if the scene gives a plain value instead of the group.
   std::map<std::string, std::string> shorthands_;
-  std::set<std::string> switchable_;  ///< names of groups that a scene may give as true
+  std::map<std::string, std::string> shortNumbers_;  ///< like `shorthands_`, for fields that are numbers
+  std::set<std::string> switchable_;                 ///< names of groups that a scene may give as true
 };
 
 }  // namespace simreel::scene

@@ -61,6 +61,13 @@ void Reader::section(const char* name, bool* present, const char* /*doc*/,
                       std::string_view(name) == "ground" ? expectedGroup(name) : "an object or true",
                       node->kindText()));
   }
+  if (const auto number = shortNumbers_.find(name); node != nullptr && number != shortNumbers_.end()) {
+    if (node->kind == Node::Kind::number || node->find("keys") != nullptr)
+      return readObject(spelledOut(*node, number->second), context_, describe);
+    if (node->kind != Node::Kind::object)
+      return context_.diagnostics.add(node->place(), fmt::format("expected an object or a {}, found {}",
+                                                                 number->second, node->kindText()));
+  }
   if (const auto word = shorthands_.find(name); node != nullptr && word != shorthands_.end()) {
     if (node->kind == Node::Kind::text)
       return readObject(spelledOut(*node, word->second), context_, describe);

@@ -142,6 +142,8 @@ void SchemaWriter::section(const char* name, bool* present, const char* doc,
                   {"description", fmt::format("Short for {{\"{}\": ...}}.", word->second)}};
     schema = {{"anyOf", Json::array({std::move(words), std::move(schema)})}};
   }
+  if (const auto number = shortNumbers_.find(name); number != shortNumbers_.end())
+    schema = {{"anyOf", Json::array({shortFor(number->second, inner.properties_), std::move(schema)})}};
   if (switchable_.contains(name))
     schema = {{"anyOf", Json::array({{{"type", "boolean"}, {"description", "true stands for {}."}},
                                      std::move(schema)})}};

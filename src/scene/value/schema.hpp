@@ -29,11 +29,12 @@ class SchemaWriter final : public Fields {
                    const std::function<void(Fields&, std::size_t)>& describe) override;
   void leftOut(const char* name, const char* what) override;
   void shorthand(const char* group, const char* field) override { shorthands_[group] = field; }
+  void shortNumber(const char* group, const char* field) override { shortNumbers_[group] = field; }
   void switchable(const char* group) override { switchable_.insert(group); }
 
  private:
   nlohmann::ordered_json properties_ = nlohmann::ordered_json::object();
-  std::map<std::string, std::string> shorthands_;
+  std::map<std::string, std::string> shorthands_, shortNumbers_;
   std::set<std::string> switchable_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/clock.hpp"
 #include "base/log.hpp"
+#include "scene/haze_reach.hpp"
 #include "scene/outline.hpp"
 #include "scene/stage.hpp"
 #include "scene/value/value_writer.hpp"
@@ -295,6 +296,7 @@ void frameSurvey(scene::Scene& scene, const Survey& survey) {
   if (scene.staged) scene::moveStage(scene, survey.framed);
   scene::frameObjects(scene, survey.framed);
   scene::openFloor(scene);
+  scene::extendGroundIntoHaze(scene);
   scene.camera.placed = true;
   scene.surveyed = true;
 }

@@ -201,6 +201,7 @@ TEST_CASE("defaults: documentation pages show the defaults of the schema") {
     comparePage(shownDefaults(kind.name), schema.at("$defs").at(kind.name), "", compared);
   for (const char* section : {"render", "time", "camera", "sun", "sky", "test"})
     comparePage(shownDefaults(section), schema.at("properties").at(section), "", compared);
+  comparePage(shownDefaults("haze"), schema.at("properties").at("haze").at("anyOf").at(1), "", compared);
   comparePage(shownDefaults("ground"), schema.at("properties").at("ground").at("anyOf").at(1), "",
               compared);
   comparePage(shownDefaults("material"), schema.at("$defs").at("material"), "", compared);

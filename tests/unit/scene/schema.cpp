@@ -48,7 +48,7 @@ TEST_CASE("the schema states what the reader checks") {
   CHECK(schema["properties"]["objects"]["additionalProperties"]["oneOf"].size() == 2);
   CHECK(schema["$defs"]["material"]["properties"]["metallic"]["default"].dump() == "0");
   for (const char* name : {"title", "seed", "numerics", "render", "time", "camera", "stage", "sun", "sky",
-                           "ground", "lights", "objects", "test", "checks"})
+                           "haze", "ground", "lights", "objects", "test", "checks"})
     CHECK_MESSAGE(schema["properties"][name].contains("description"), name);
 }
 
@@ -89,8 +89,8 @@ TEST_CASE("help fits the terminal's width without losing words") {
 }
 
 TEST_CASE("every section has help, and a misspelt section gets a suggestion") {
-  for (const char* name : {"scene", "render", "time", "camera", "stage", "sun", "sky", "ground", "lights",
-                           "material", "test", "checks", "capsule"})
+  for (const char* name : {"scene", "render", "time", "camera", "stage", "sun", "sky", "haze", "ground",
+                           "lights", "material", "test", "checks", "capsule"})
     CHECK_MESSAGE(has(helpText(name, toyKinds().list, 100), std::string(name) + ": "), name);
   try {
     static_cast<void>(helpText("cloht", toyKinds().list, 100));

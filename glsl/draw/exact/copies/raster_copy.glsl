@@ -11,6 +11,7 @@
 #endif
 #ifdef ADDS
 #include "draw/instances/instance_list.glsl"
+#include "draw/exact/haze.glsl"
 #endif
 layout(binding = listUnit) uniform usamplerBuffer listedCopies;
 uniform int firstListed;  // index of the first entry of these copies in the list of visible copies
@@ -59,6 +60,9 @@ CopyTriangle copyTriangle(uint pair) {
 #ifdef ADDS
   vec4 position = texelFetch(positions, slot), velocity = texelFetch(velocities, slot);
   precise vec3 light = tintOf(position, velocity) * brightnessAt(velocity.w);
+#ifdef HAZE
+  light = light * passed(hazeBefore(position.xyz));
+#endif
   addedLight = light;
 #endif
   return t;

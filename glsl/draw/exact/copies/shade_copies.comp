@@ -12,6 +12,7 @@
 #include "draw/exact/occlusion/openness_read.glsl"
 #include "draw/exact/reflections/reflections_read.glsl"
 #include "draw/surface/lighting.glsl"
+#include "draw/exact/haze.glsl"
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
@@ -56,7 +57,11 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
   vec3 color = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
   precise vec3 moved = lifted - p;
   keepSpot(firstSample(pixel) + sampleAt, lifted, facing, turned_ ? -normal : normal, color, material_, 1.0f, 0u, facing, exactDot(moved, facing));
+#ifdef HAZE
+  return vec4(throughHaze(vec3(0.0f), 1.0f, lifted), 1.0f);
+#else
   return vec4(0.0f, 0.0f, 0.0f, 1.0f);
+#endif
 #endif
 #if defined SHADOW && !defined REFLECTED
   float fraction = sunFractionOn(p, normal);
@@ -81,10 +86,15 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
     precise vec3 turned = (weights.turned ? -nextNormal : nextNormal) - normal;
     turns_ = max(turns_, exactSqrt(exactDot(turned, turned)));
   }
-  return vec4(allLight(look, p, normal, unitOf(towards), fraction), 0.0f);
+  const float alpha = 0.0f;
 #else
-  return vec4(allLight(look, p, normal, unitOf(towards), fraction), 1.0f);
+  const float alpha = 1.0f;
 #endif
+  vec3 light = allLight(look, p, normal, unitOf(towards), fraction);
+#ifdef HAZE
+  light = throughHaze(light, alpha, p);
+#endif
+  return vec4(light, alpha);
 }
 
 #ifdef REFLECTED

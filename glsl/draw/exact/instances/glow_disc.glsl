@@ -5,6 +5,7 @@
 #include "draw/exact/instances/disc.glsl"
 #include "draw/exact/instances/rays.glsl"
 #include "draw/instances/instance_list.glsl"
+#include "draw/exact/haze.glsl"
 uniform float roundPixels;  // radius in pixels above which a glow is a disc in space; if 0, every glow is a disc in
                             // space
 
@@ -50,6 +51,10 @@ GlowDisc glowDiscOf(int number) {
 #else
   glow.round_ = farEnough(ball.depth, near) && glow.disc.radius <= roundPixels;
   glow.light = glowOf(position, velocity).light;
+#endif
+#ifdef HAZE
+  precise vec3 dimmed = glow.light * passed(hazeBefore(position.xyz));
+  glow.light = dimmed;
 #endif
   if (!(isNumber(glow.light.r) && isNumber(glow.light.g) && isNumber(glow.light.b))) return glow;
   if (glow.round_) {

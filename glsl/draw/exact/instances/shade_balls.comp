@@ -13,6 +13,7 @@
 #include "draw/exact/occlusion/openness_read.glsl"
 #include "draw/exact/reflections/reflections_read.glsl"
 #include "draw/surface/lighting.glsl"
+#include "draw/exact/haze.glsl"
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
@@ -62,7 +63,11 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   precise vec3 onBall = position.xyz + seen.outwards;
   vec3 outwards = unitOf(seen.outwards);
   keepSpot(firstSample(pixel) + sampleAt, onBall, outwards, outwards, tintOf(position, velocity), material_, 1.0f);
+#ifdef HAZE
+  return vec4(throughHaze(vec3(0.0f), 1.0f, onBall), 1.0f);
+#else
   return vec4(0.0f, 0.0f, 0.0f, 1.0f);
+#endif
 #endif
   Facing facing = facingEye(position.xyz);
   Place place = placeOn(ball, pixel, sampleAt);
@@ -96,6 +101,9 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   turns_ = turn;
   vec3 change = vec3(0.0f);
   for (int i = small ? 1 : 0; i < 1; ++i) change = allLight(look, lit, firstNormal, towards, fraction);
+#ifdef HAZE
+  change = throughHaze(change, 0.0f, lit);
+#endif
   return vec4(change, 0.0f);
 #endif
   precise vec3 light = vec3(0.0f);
@@ -108,6 +116,9 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
     precise vec3 p = position.xyz + (small ? ball.radius * side : place.outwards);
     light = light + weight * allLight(look, p, normal, towards, fraction);
   }
+#ifdef HAZE
+  light = throughHaze(light, 1.0f, lit);
+#endif
   return vec4(light, 1.0f);
 }
 

@@ -11,6 +11,7 @@
 #include "draw/exact/rays/ground_ray.glsl"
 #include "draw/exact/rays/found_facet.glsl"
 #include "draw/exact/rays/ray_width.glsl"
+#include "draw/exact/haze.glsl"
 #ifdef FINISHED
 #include "draw/exact/rays/finished_spot.glsl"
 #endif
@@ -125,6 +126,10 @@ void main() {
 #endif
   precise float open = 1.0f - share;
   precise vec3 sure = weight.rgb * beyond(towards.xyz, roughness, from.w, weight.w, open);
+#ifdef HAZE
+  precise vec3 carried = sure + texelFetch(onwardLight, nextSure * paths + path).rgb;
+  sure = carried;
+#endif
   if (!there || share <= 0.0f) {
     putNone(nextLightKind, path);
     putNone(nextOnwardKind, path);
@@ -136,6 +141,12 @@ void main() {
   precise float minimum = 0.7f + (roughness - 0.7f) * from.w;
   Facet f = foundFacet(at, p, towards.xyz, uintBitsToFloat(hit.x), uintBitsToFloat(hit.zw), minimum, rayWidth(from.xyz, uintBitsToFloat(hit.x), weight.w));
   precise vec3 through = weight.rgb * share;
+#ifdef HAZE
+  precise vec3 way = towards.xyz * uintBitsToFloat(hit.x);
+  float passes = passed(hazeBehind(from.xyz, way));
+  sure = sure + through * hazeInMirror(towards.xyz) * (skyFactor(roughness, from.w) * (1.0f - passes));
+  through = through * passes;
+#endif
   vec3 certain = towardsLight(path, f, through, samplePoint(start.number, sampleMask, start.seed, 3u));
   Onward onward = onwardFrom(f, samplePoint(start.number, sampleMask, start.seed, 4u));
 #ifdef FINISHED

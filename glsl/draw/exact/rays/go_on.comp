@@ -10,6 +10,7 @@
 #include "draw/exact/rays/ground_ray.glsl"
 #include "draw/exact/rays/found_facet.glsl"
 #include "draw/exact/rays/ray_width.glsl"
+#include "draw/exact/haze.glsl"
 layout(local_size_x = 64) in;
 layout(binding = rayHitUnit) uniform usamplerBuffer rayHits;
 #ifdef GOES_ON
@@ -37,6 +38,13 @@ void main() {
   if (lookOf(ownerOf(vertices), sheenLook).w <= 0.0f) return;
   float t = uintBitsToFloat(hit.x);
   vec3 p = placeAlong(from.xyz, towards.xyz, t);
+#ifdef HAZE
+  precise vec3 way = towards.xyz * t;
+  float passes = passed(hazeBehind(from.xyz, way));
+  precise vec3 ofHaze = weight.rgb * hazeInMirror(towards.xyz) * (1.0f - passes);
+  precise vec3 kept = weight.rgb * passes;
+  weight.rgb = kept;
+#endif
   Found found = foundTriangle(at, p, towards.xyz, t, uintBitsToFloat(hit.zw), 0.0f, rayWidth(from.xyz, t, weight.w));
   Facet f = glassFacet(found.facet, found.owner, found.base, found.metallic, found.inside);
   PathStart start = pathStart(path);
@@ -51,6 +59,11 @@ void main() {
   Onward onward;
   if (byCoat) onward = coatOnward(f, u.xy);
   else onward = clearOnward(f, vec3(u.xy, clamp(own, 0.0f, 0.999999f)));
+#ifdef HAZE
+  int sure = nextSure * paths + path;
+  precise vec3 carried = rayLight[sure].rgb + ofHaze;
+  rayLight[sure] = vec4(carried, 0.0f);
+#endif
   precise vec3 absorbed = lookOf(found.owner, absorbLook).xyz * t;
   vec3 left = f.inside ? vec3(exactExp(-absorbed.x), exactExp(-absorbed.y), exactExp(-absorbed.z)) : vec3(1);
   precise vec3 counts = weight.rgb * onward.weight * left;

@@ -7,6 +7,7 @@
 #include "draw/exact/rays/pixel_spots.glsl"
 #include "draw/exact/fixed.glsl"
 #include "draw/exact/screen/edge_light.glsl"
+#include "draw/exact/haze.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = spotUnit) uniform usamplerBuffer spots;
 layout(binding = spotLightUnit) uniform samplerBuffer spotLight;
@@ -32,6 +33,10 @@ void main() {
     float share = uintBitsToFloat(texelFetch(spots, 4 * (first + s) + 2).w);
     precise float factor = share * float(same) * perSamples() * exactReciprocal(float(raysOf(same, raySamples)));
     vec3 light = texelFetch(spotLight, first + s).rgb;
+#ifdef HAZE  // The shading kernels have added the light of the haze itself.
+    precise vec3 dimmed = light * passed(hazeBefore(uintBitsToFloat(texelFetch(spots, 4 * (first + s)).xyz)));
+    light = dimmed;
+#endif
     precise vec3 mean = light * exactReciprocal(float(raysOf(same, raySamples)));
     float kept = compressed ? furtherCompression(before, brightnessOf(mean, frame.exposure)) : 1.0f;
     sum = sum + vec4(light, 0.0f) * (factor * kept);

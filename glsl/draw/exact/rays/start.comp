@@ -99,6 +99,9 @@ void main() {
     rayLight[spotSure * paths + path] = vec4(0);
     return;
   }
+#ifdef HAZE
+  rayLight[nextSure * paths + path] = vec4(0);
+#endif
   Facet f = facetAt(start.at);
   precise vec3 sure = openLamps(f) + towardsSun(path, f, samplePoint(start.number, sampleMask, start.seed, 0u));
   towardsLamp(path, f, samplePoint(start.number, sampleMask, start.seed, 1u));

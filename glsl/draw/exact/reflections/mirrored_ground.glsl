@@ -6,6 +6,7 @@
 #include "draw/exact/rays/ground_ray.glsl"
 #include "draw/exact/reflections/mirror_reach.glsl"
 #include "draw/surface/ground_light.glsl"
+#include "draw/exact/haze.glsl"
 #ifdef SHADOW
 #include "draw/exact/shadows/sun_map.glsl"
 #endif
@@ -15,6 +16,9 @@ struct GroundMirrored {
   float counts;   // weight of the reflection: the ground's alpha times the weight for the mirror's roughness; 0 if the
                   // ray misses the ground
   float open;
+#ifdef HAZE
+  float passes;   // fraction of light that the haze lets through between the mirror and the ground
+#endif
 };
 
 GroundMirrored groundMirrored(vec3 p, vec3 direction, float roughness, float openness) {
@@ -26,6 +30,10 @@ GroundMirrored groundMirrored(vec3 p, vec3 direction, float roughness, float ope
   precise float counts = groundAlpha(met.p) * smoothnessOf(roughness);
   met.open = open;
   met.counts = metres > 0.0f ? counts : 0.0f;
+#ifdef HAZE
+  precise vec3 along = direction * max(metres, 0.0f);
+  met.passes = passed(hazeBehind(p, along));
+#endif
   return met;
 }
 
@@ -35,5 +43,21 @@ vec3 groundInSun(GroundMirrored met, vec3 direction) {
 #else
   const float fraction = 1.0f;
 #endif
-  return withAround(sunOnGround(-direction, fraction, met.open), -direction, met.open);
+  vec3 light = withAround(sunOnGround(-direction, fraction, met.open), -direction, met.open);
+#ifdef HAZE
+  light = mirroredThroughHaze(light, met.passes, direction);
+#endif
+  return light;
 }
+
+#ifdef LAMPS
+// Returns the lamps' light that the ground sends to the mirror.
+vec3 lampsOnMirrored(GroundMirrored met, vec3 direction) {
+  vec3 light = lampsOnGround(met.p, -direction);
+#ifdef HAZE
+  precise vec3 dimmed = light * met.passes;
+  light = dimmed;
+#endif
+  return light;
+}
+#endif

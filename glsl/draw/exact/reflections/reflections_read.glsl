@@ -22,6 +22,7 @@ vec4 litAt(int level, ivec2 at) {
   return held == at ? found : vec4(0.0f);
 }
 #include "draw/exact/reflections/mirrored_way.glsl"
+#include "draw/exact/haze.glsl"
 
 #ifdef REFRACTED
 // Returns the light and weight of the ground at the end of the path, if the picture shows the ground there, away from objects that
@@ -50,6 +51,10 @@ vec4 lightMet(vec3 p, vec3 direction, float ground, vec3 towards, float roughnes
     for (int j = hit.counts > 0.0f ? 0 : 1; j < 1; ++j) light = lightMirrored(way, hit, roughness);
 #ifdef REFRACTED
     for (int j = hit.counts > 0.0f ? 1 : 0; j < 1; ++j) light = groundMet(way, ground, roughness);
+#endif
+#ifdef HAZE
+    float metres = metresAlong(way, hit.counts > 0.0f ? hit.at : way.end);
+    for (int j = light.w > 0.0f ? 0 : 1; j < 1; ++j) light = pictureThroughHaze(light, p, direction, metres);
 #endif
   }
   return light;

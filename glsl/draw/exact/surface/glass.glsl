@@ -71,7 +71,7 @@ vec3 lightBeyond(Crossing crossing, vec3 towards, float roughness) {
   for (int i = below.counts > 0.0f ? 0 : 1; i < 1; ++i) {
     vec3 lit = groundInSun(below, crossing.direction);
 #ifdef LAMPS
-    precise vec3 sum = lit + lampsOnGround(below.p, -crossing.direction);
+    precise vec3 sum = lit + lampsOnMirrored(below, crossing.direction);
     lit = sum;
 #endif
     around = around + below.counts * (lit - around);
@@ -106,6 +106,19 @@ vec4 throughGlass(vec3 light, vec3 base, float roughness, Spot spot, ivec2 pixel
 #endif
   float kept = barycentricWeights(vec3(1), roughness, 0.0f, exactDot(n, spot.view)).matt.x;
   precise vec3 part = glass_.x * kept * kept * base * leftAfter(absorbed_, metres);
+#ifdef HAZE
+  // The picture straight behind the layer already shows the haze before the layer.
+  float passes = passed(hazeBefore(spot.place));
+#ifdef REFRACTED
+  vec3 already = solid ? vec3(0.0f) : part;
+  precise vec3 own = light * passes + hazeTowards(-spot.view) * ((1.0f - already) * (1.0f - passes));
+  precise vec3 ray = part * (solid ? passes : 1.0f);
+  part = ray;
+#else
+  precise vec3 own = light * passes + hazeTowards(-spot.view) * ((1.0f - part) * (1.0f - passes));
+#endif
+  light = own;
+#endif
   precise vec3 change = light + part * seen - behind.rgb;
   precise float cover = glassLayer_.w == 0 ? 1.0f - behind.a : 1.0f - exactDot(part, vec3(0.333333f)) * open - behind.a;
   return vec4(change, cover);

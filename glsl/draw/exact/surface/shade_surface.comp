@@ -25,6 +25,7 @@ uniform float sheenRoughness;
 float sheenRoughness_ = once(sheenRoughness);
 #endif
 #include "draw/surface/lighting.glsl"
+#include "draw/exact/haze.glsl"
 #if defined BASE_MAP || defined NORMAL_MAP || defined METAL_ROUGH_MAP || defined OCCLUSION_MAP || defined EMISSION_MAP
 #define MAPPED
 #endif
@@ -213,6 +214,9 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #endif
   light = coated(light, mirrored, coat_.x, coat_.y, abs(exactDot(smoothNormal, spot.view)));
 #endif
+#endif
+#if defined HAZE && !defined GLASS
+  light = throughHaze(light, 1.0f, spot.place);
 #endif
 #ifdef BLENDED
   float alpha = opacity_;

@@ -14,6 +14,7 @@
 #include "draw/exact/shadows/pixel_extent.glsl"
 #endif
 #include "draw/surface/ground_light.glsl"
+#include "draw/exact/haze.glsl"
 #ifdef REFLECTED
 #include "draw/exact/tiles/half_tile.glsl"
 #endif
@@ -30,6 +31,14 @@ int samplesOfGround(ivec2 pixel) {
   int samples = 0;
   for (int s = 0; s < SAMPLES; ++s) samples |= shown.of[s] == groundId ? 1 << s : 0;
   return samples;
+}
+
+vec4 groundThroughHaze(vec4 light, vec3 p) {
+#ifdef HAZE
+  return vec4(throughHaze(light.rgb, light.a, p), light.a);
+#else
+  return light;
+#endif
 }
 
 // Returns the ground's light in a pixel. `samples` is the mask of the samples that show the ground.
@@ -54,7 +63,7 @@ vec4 lightGround(ivec2 pixel, int samples) {
   float alpha = groundAlpha(p);
   keepSpot(firstSample(pixel) + first, p, vec3(0, 1, 0), vec3(0, 1, 0), frame.groundColor.rgb,
            vec3(frame.groundRoughness, 0.0f, 0.0f), alpha);
-  return vec4(0.0f, 0.0f, 0.0f, alpha);
+  return groundThroughHaze(vec4(0.0f, 0.0f, 0.0f, alpha), p);
 #endif
   precise vec3 towards = -directionOf(ray);
 #ifdef REFLECTED
@@ -65,14 +74,14 @@ vec4 lightGround(ivec2 pixel, int samples) {
   for (int i = depth >= view.near ? 0 : 1; i < 1; ++i)
     met = lightMet(p, vec3(-eyewards.x, abs(eyewards.y), -eyewards.z), -1.0f, eyewards, frame.groundRoughness);
   for (int i = met.w > 0.0f ? 0 : 1; i < 1; ++i) light = groundReflected(p, eyewards, met, opennessOn(pixel, p));
-  return light;
+  return groundThroughHaze(light, p);
 #endif
 #ifdef SHOWN
   float there = groundLight(p, unitOf(towards), fraction, 1.0f).a;
   precise vec3 value = (SHOWN == 1 ? vec3(0, 1, 0) : SHOWN == 2 ? frame.groundColor.rgb : vec3(0)) * there;
   return vec4(value, there);
 #endif
-  return groundLight(p, unitOf(towards), fraction, opennessOn(pixel, p));
+  return groundThroughHaze(groundLight(p, unitOf(towards), fraction, opennessOn(pixel, p)), p);
 }
 
 void main() {

@@ -44,6 +44,7 @@ struct CopyVariant {
   TargetVariant target;
   gl::Flag<"PARALLEL"> parallel;
   gl::Flag<"ADDS"> adds;
+  gl::Flag<"HAZE"> haze;
 };
 
 struct SmallCopies {
@@ -173,7 +174,8 @@ void CopyRaster::runPart(std::size_t number, Pass pass, const Visibility& into, 
   const unsigned shares = workgroupsFor(into.size(), samples_);
   const CopyVariant variant{.target = into.variant(into_, pass == Pass::numbers ? 1 : 0),
                             .parallel = into.layout().parallel,
-                            .adds = pass == Pass::light};
+                            .adds = pass == Pass::light,
+                            .haze = pass == Pass::light && hazy_};
   const RasterCopies raster{
       .source = source(copies, firstIds_[part.draw]),
       .into = into.target(map),

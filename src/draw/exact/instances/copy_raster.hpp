@@ -44,6 +44,8 @@ class CopyRaster {
                    const Visibility& into, const MapPart& map = {});
   /// Writes the ids of the nearest copies. Call after all objects have written their keys.
   void drawIds(const Visibility& into);
+  /// Sets whether haze dims the light that addLight() adds.
+  void setHazy(bool hazy) { hazy_ = hazy; }
   /// Adds the light of additive copies to the sums of GlowRaster, as far as the copies are in front of the
   /// visible surfaces.
   void addLight(const std::vector<Copies>& copies, const Visibility& into, const gl::Buffer& sums);
@@ -66,6 +68,7 @@ class CopyRaster {
   int samples_;
   int smallPixels_, mediumPixels_;
   unsigned pairs_;
+  bool hazy_ = false;
   std::size_t listRoom_ = 0;
   std::vector<Copies> copies_;
   std::vector<unsigned> firstIds_;

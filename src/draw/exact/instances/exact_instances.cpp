@@ -212,6 +212,9 @@ void ExactInstances::addLight(const sim::Drawables& drawables, const Visibility&
     else
       glows.push_back(&instances);
   }
+  const bool hazy = lighting_.variant.shade.haze.defined;
+  glowRaster_.setHazy(hazy);
+  copyGlows_.setHazy(hazy);
   glowRaster_.prepare(picture.size());
   glowRaster_.draw(glows, picture);
   copyGlows_.addLight(copies, picture, glowRaster_.sums());

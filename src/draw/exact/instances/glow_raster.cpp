@@ -19,6 +19,7 @@ struct GlowKernel {
     gl::Flag<"LARGE"> large;
     gl::Flag<"MEDIUM"> medium;
     gl::Flag<"BALL"> ball;
+    gl::Flag<"HAZE"> haze;
     ListVariant list;
   };
   gl::Ambient<"ViewBlock"> view = {};
@@ -80,6 +81,7 @@ void GlowRaster::run(bool large, const Visibility& picture) {
                                                         .large = large,
                                                         .medium = anyMedium(),
                                                         .ball = !isSprite(glows),
+                                                        .haze = hazy_,
                                                         .list = listVariant()});
     const GlowKernel given{.samples = picture.read(),
                            .source = instanceSource(glows, glowRadius, minPixelsOf(glows), 0),

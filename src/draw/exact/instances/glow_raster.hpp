@@ -23,6 +23,8 @@ class GlowRaster {
   /// handles a medium glow, of at most `mediumPixels` per side. Many workgroups handle a larger glow.
   explicit GlowRaster(int samples, int smallPixels = smallGlow(), int mediumPixels = mediumBall());
 
+  /// Sets whether haze dims the glows.
+  void setHazy(bool hazy) { hazy_ = hazy; }
   /// Allocates the sums for a picture. Throws UserError(device), which names the limit, if a device limit
   /// is exceeded.
   void prepare(glm::ivec2 size);
@@ -41,6 +43,7 @@ class GlowRaster {
   int samples_;
   int smallPixels_;
   int mediumPixels_;
+  bool hazy_ = false;
   std::vector<const sim::Instances*> glows_;
   std::vector<InstanceColors> colors_;
   gl::Kernels<GlowKernel> kernels_;

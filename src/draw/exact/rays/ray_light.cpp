@@ -38,6 +38,7 @@ struct PathVariant {
   gl::Flag<"LAID"> laid;
   gl::Flag<"FINISHED"> finished;
   gl::Flag<"EMITTERS"> emitters;
+  gl::Range<"HAZE", 1, 2> haze;
 };
 /// Shader inputs of kernels that compute the light of paths, with the lamps and the environment.
 struct PathLight {
@@ -136,6 +137,8 @@ struct ResolveSpots {
   struct Variant {
     SampleVariant samples;
     gl::Flag<"FAST_NUMERICS"> fast;
+    gl::Flag<"PARALLEL"> parallel;
+    gl::Flag<"HAZE"> haze;
   };
   gl::Ambient<"FrameBlock"> frame = {};
   gl::Ambient<"ViewBlock"> view = {};
@@ -230,7 +233,8 @@ PathVariant RayLight::pathVariant(const RayFeatures& all) const {
           .list = listVariant(),
           .laid = all.laid,
           .finished = all.finished,
-          .emitters = all.emitters};
+          .emitters = all.emitters,
+          .haze = shade_.haze};
 }
 
 RayPaths RayLight::pathsOf(int firstSpot, int spots, int firstSample, int paths) const {
@@ -342,7 +346,11 @@ void RayLight::add(const Visibility& visibility, const gl::Texture& sums, bool l
     for (int sample = 0; sample < raySamples_; sample += together)
       follow(first, count, sample, std::min(together, raySamples_ - sample), white);
   }
-  resolve_.of({.samples = visibility.variant(), .fast = shade_.fast})
+  resolve_
+      .of({.samples = visibility.variant(),
+           .fast = shade_.fast,
+           .parallel = shade_.parallel,
+           .haze = shade_.haze.defined})
       .dispatch({visibility.size().x, rows}, {.samples = visibility.read(),
                                               .spots = spotView_,
                                               .spotLight = spotLightView_,

@@ -19,6 +19,12 @@ scene::Sun mappedSun(const scene::Scene& scene) {
   return sun;
 }
 
+/// Returns the value of HAZE in glsl/draw/exact/haze.glsl.
+gl::Range<"HAZE", 1, 2> hazeVariant(const scene::Scene& scene) {
+  if (!scene.haze) return {};
+  return scene.haze->color ? 2 : 1;
+}
+
 void append(gl::Defines& defines, const gl::Defines& more) {
   defines.insert(defines.end(), more.begin(), more.end());
 }
@@ -72,13 +78,14 @@ ThingVariant ExactFrame::lit() const {
                     .rays = traces(),
                     .groundReflective = occludes() && ground && isReflective(*scene.ground),
                     .reflected = false,
-                    .shown = {}},
+                    .shown = {},
+                    .haze = hazeVariant(scene)},
           .stageGroundHeight = occludes() && ground};
 }
 
 gl::Defines ExactFrame::lights() const {
   gl::Defines defines;
-  if (traces()) return defines;
+  if (traces()) return scene.haze ? aroundDefines() : defines;
   append(defines, shadow.defines());
   append(defines, lamps.defines());
   append(defines, aroundDefines());

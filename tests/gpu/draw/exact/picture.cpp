@@ -119,6 +119,23 @@ TEST_CASE("exact: whole pictures are the twin's in every byte") {
   }
 }
 
+TEST_CASE("exact: pictures with haze are the twin's in every byte") {
+  const glm::ivec2 size(91, 59);
+  for (const double height : {0.0, 0.7}) {
+    scene::Scene scene = exactScene(4);
+    scene.haze.emplace();
+    scene.haze->distance = 3.0F;
+    scene.haze->start = 1.2F;
+    if (height > 0) scene.haze->height = height;
+    PictureTwinScene twin = wavySheet(23);
+    see(twin, scene, size, 4);
+    twin.roughness = 0.35F;
+    TriangleStage stage(twin.places, twin.indices, twin.normals);
+    CAPTURE(height);
+    CHECK(othersThanTwin(scene, twin, stage, size) == 0);
+  }
+}
+
 TEST_CASE("exact: edges of highlights are the same whether a pass or the film expands their light") {
   const glm::ivec2 size(91, 59);
   scene::Scene scene = exactScene(4);
