@@ -91,6 +91,7 @@ shader::Frame frameValues(const scene::Scene& scene, glm::ivec2 size, double sec
   setSky(frame, scene.sky, seconds);
   setGround(frame, scene.ground.value_or(scene::Ground()));
   setHaze(frame, scene, seconds);
+  if (!visibleGround(scene)) frame.groundReach = 0;
   frame.size = size;
   frame.exposure = static_cast<float>(ieee::exp2(static_cast<double>(scene.render.exposure.at(seconds))));
   frame.vignette = scene.render.vignette;

@@ -1,7 +1,8 @@
-// Computes the transform of the sun's shadow map from the bounds of the casters, and resets the bounds for the next
-// frame. The side of the map grows in steps of 1/8 octave and its corner moves by whole texels, so that shadow edges do
-// not crawl while the casters move. Runs as one invocation.
+// Computes the transform of the sun's shadow map from the bounds of the casters, or of their part that matters for the
+// picture (seen_bounds.glsl). Then resets the bounds for the next frame. The side of the map grows in steps of 1/8 octave
+// and its corner moves by whole texels, so that shadow edges do not crawl while the casters move. Runs as one invocation.
 #include "draw/instances/bounds.glsl"
+#include "draw/surface/seen_bounds.glsl"
 layout(local_size_x = 1) in;
 layout(std430, binding = lightBinding) restrict writeonly buffer LightBlock {
   vec4 light[5];
@@ -25,13 +26,22 @@ void main() {
     high = vec3(fromOrderedKey(boundHigh[0]), fromOrderedKey(boundHigh[1]), fromOrderedKey(boundHigh[2]));
     ground = vec4(fromOrderedKey(boundLow[3]), fromOrderedKey(boundLow[4]), fromOrderedKey(boundHigh[3]), fromOrderedKey(boundHigh[4]));
   }
-  // Casters are at least `margin` texels from the border, so lookups beyond the border find no shadow.
+  // Casters extend at most 2^17 texels, so their corners fit into integers of 1/256 texel.
+  precise vec2 whole = (high.xy - low.xy) * (frame.shadowTexels * 7.62939453125e-6);
+  // Mirrors may show any part of a ground, so only a picture without one needs no more than what the camera sees.
+  if (frame.groundReach == 0.0 && frame.eye.w == 1.0) {
+    LightBox seen = seenPart(LightBox(low, high));
+    low = seen.low;
+    high = seen.high;
+  }
+  // What is in the bounds is at least `margin` texels from the border, so filters of visible receivers read no other
+  // texels.
   float texels = frame.shadowTexels;
   precise float softness = ceil(frame.shadowReach) + 2.0;
   precise float quarter = 0.25 * texels;
   float margin = min(softness, quarter);
   precise vec3 extent = high - low;
-  float size = stepped(max(max(extent.x, extent.y), 0.05));
+  float size = stepped(max(max(max(extent.x, extent.y), max(whole.x, whole.y)), 0.05));
   precise float inner = texels - 2.0 * margin - 1.0;
   precise float texel = size * exactReciprocal(inner);
   precise vec2 steps = low.xy * (inner * exactReciprocal(size));

@@ -44,7 +44,7 @@ gl::Texture makeMap(int size) {
          "\"shadowSize\"",
          size, max);
   gl::Texture map = gl::Texture::image("shadow map", GL_DEPTH_COMPONENT32F, size, size);
-  // No caster covers the border texels, so clamping to them gives full light outside the map.
+  // No caster covers border texels that visible points read, so clamping gives full light outside the map.
   glTextureParameteri(map.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(map.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTextureParameteri(map.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);

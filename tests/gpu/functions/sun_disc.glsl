@@ -20,5 +20,5 @@ FUNCTION vec4 asked(int i) {
   r.spread = 16.0f;
   r.minimum = i % 4 == 0 ? 0.5f : 2.0f;
   r.maximum = 12.0f;
-  return vec4(sunDiscFraction(r), planeNear(r, vec2(place.y, place.x)), 0.0f, 0.0f);
+  return vec4(sunDiscFraction(r), shadingNear(r, vec2(place.y, place.x)), 0.0f, 0.0f);
 }

@@ -68,6 +68,11 @@ vec4 lightOf(ivec2 pixel, uint number, int sampleAt) {
 #else
   const float fraction = 1.0f;
 #endif
+#if defined LAMPS && !defined REFLECTED
+#if SHADOWED_LAMPS > 0
+  receivingPlane = normal;
+#endif
+#endif
   precise vec3 towards = -directionOf(ray);
   vec3 tint = tintOf(texelFetch(positions, slot), texelFetch(velocities, slot));
   Look look = Look(tint, material_.x, material_.y, material_.z, opennessOn(pixel, p));

@@ -14,8 +14,8 @@ struct AreaReceiver {
   float maximum;    // max radius of the filter in texels
 };
 
-float mapNear(usamplerBuffer keys, ShadowMap map, vec2 place) {
-  ivec2 at = clamp(ivec2(floor(place)), ivec2(0), ivec2(map.side - 1));
+float mapNear(usamplerBuffer keys, ShadowMap map, vec2 texel) {
+  ivec2 at = clamp(ivec2(texel), ivec2(0), ivec2(map.side - 1));
   uint key = texelFetch(keys, map.first + at.y * map.stride + at.x).x;
   return key > nearKey(0.0f) ? -1e30f : intBitsToFloat(int(nearKey(0.0f) - key));
 }
@@ -34,8 +34,10 @@ Casters castersWithin(usamplerBuffer keys, ShadowMap map, AreaReceiver r, float 
     for (int k = 0; k < 4; ++k) {  // the four corners of a square as large as the spacing of the disc points
       precise vec2 way = middle + ((k & 1) == 0 ? 1.0f : -1.0f) * ((k & 2) == 0 ? aside : turned);
       precise vec2 place = r.middle + way;
-      precise float plane = r.near + r.rise.x * way.x + r.rise.y * way.y;
-      float near = mapNear(keys, map, place);
+      vec2 texel = floor(place);
+      precise vec2 centre = (texel + 0.5f) - r.middle;
+      precise float plane = r.near + r.rise.x * centre.x + r.rise.y * centre.y;
+      float near = mapNear(keys, map, texel);
       bool shades = near > plane;
       precise float sum = found.near + (shades ? near : 0.0f);
       found.near = sum;

@@ -9,44 +9,54 @@ struct ShadowMap {
   int stride;  // number of keys from one row of the map to the next
 };
 
+// A point that receives light, on a map, and the plane of its surface. Each texel is compared with the plane's nearness
+// at the texel's centre, so that a flat surface casts no shadow on itself, however steep it is.
+struct Receiver {
+  vec2 middle;  // position in texels
+  float near;   // nearness
+  vec2 rise;    // change of the nearness per texel along the surface
+#ifdef PIXEL_EXTENT
+  vec2 along;   // extent over which the taps are spread (texels)
+#endif
+};
+
+// Returns the key of a nearness. A receiver behind every caster counts as inside the map.
+uint receiverKey(float near) {
+  return nearKey(max(near, 0.0f));
+}
+
 // Returns the bilinearly weighted fraction of lit texels around a position (texels).
-float litAround(usamplerBuffer keys, ShadowMap map, vec2 place, uint key) {
+float litAround(usamplerBuffer keys, ShadowMap map, Receiver r, vec2 place) {
   precise vec2 corner = place - 0.5f;
   precise vec2 whole = floor(corner);
   precise vec2 part = corner - whole;
+  precise vec2 way = (whole + 0.5f) - r.middle;
+  precise float nearP = r.near + r.rise.x * way.x + r.rise.y * way.y;
+  precise float nearQ = nearP + r.rise.x;
+  precise float nearR = nearP + r.rise.y;
+  precise float nearS = nearQ + r.rise.y;
   ivec2 a = clamp(ivec2(whole), ivec2(0), ivec2(map.side - 1));
   ivec2 b = clamp(ivec2(whole) + 1, ivec2(0), ivec2(map.side - 1));
   int upperRow = map.first + a.y * map.stride, lowerRow = map.first + b.y * map.stride;
-  float p = key <= texelFetch(keys, upperRow + a.x).x ? 1.0f : 0.0f;
-  float q = key <= texelFetch(keys, upperRow + b.x).x ? 1.0f : 0.0f;
-  float r = key <= texelFetch(keys, lowerRow + a.x).x ? 1.0f : 0.0f;
-  float s = key <= texelFetch(keys, lowerRow + b.x).x ? 1.0f : 0.0f;
+  float p = receiverKey(nearP) <= texelFetch(keys, upperRow + a.x).x ? 1.0f : 0.0f;
+  float q = receiverKey(nearQ) <= texelFetch(keys, upperRow + b.x).x ? 1.0f : 0.0f;
+  float r_ = receiverKey(nearR) <= texelFetch(keys, lowerRow + a.x).x ? 1.0f : 0.0f;
+  float s = receiverKey(nearS) <= texelFetch(keys, lowerRow + b.x).x ? 1.0f : 0.0f;
   precise float upper = p + (q - p) * part.x;
-  precise float lower = r + (s - r) * part.x;
+  precise float lower = r_ + (s - r_) * part.x;
   precise float lit = upper + (lower - upper) * part.y;
   return lit;
 }
 
-// A point that receives light, on a map.
-struct Receiver {
-  vec2 middle;  // position in texels
-  float near;   // nearness
-#ifdef PIXEL_EXTENT
-  vec3 along;   // extent over which the taps are spread. xy: texels; z: change of the nearness
-#endif
-};
-
 // Returns the lit fraction of a tap at the offset `way` (texels). `aside`: position of the tap within the extent, -0.5
-// to 0.5. A receiver behind every caster counts as inside the map.
+// to 0.5.
 float litAt(usamplerBuffer keys, ShadowMap map, Receiver r, vec2 way, float aside) {
 #ifdef PIXEL_EXTENT
-  precise vec2 place = r.middle + (way + r.along.xy * aside);
-  precise float near = r.near + r.along.z * aside;
+  precise vec2 place = r.middle + (way + r.along * aside);
 #else
   precise vec2 place = r.middle + way;
-  float near = r.near;
 #endif
-  return litAround(keys, map, place, nearKey(max(near, 0.0f)));
+  return litAround(keys, map, r, place);
 }
 
 // Adds the taps at `way` and -`way` to `sum`. Their positions within the extent, `aside` and -`aside`, get the signs

@@ -19,15 +19,19 @@ struct SunReceiver {
   float maximum;    // max radius of the filter in texels
 };
 
-// Returns the nearness of the receiver's plane at the offset `way` (texels) from the receiver.
-FUNCTION float planeNear(SunReceiver r, vec2 way) {
-  precise float near = r.near + r.rise.x * way.x + r.rise.y * way.y;
-  return near;
+// Returns the nearness of the caster at the offset `way` (texels) from the receiver if it shades the receiver, otherwise
+// a value below all casters. Compares it with the nearness of the receiver's plane at the centre of the texel.
+FUNCTION float shadingNear(SunReceiver r, vec2 way) {
+  precise vec2 place = r.middle + way;
+  vec2 texel = floor(place);
+  precise vec2 centre = (texel + 0.5f) - r.middle;
+  precise float plane = r.near + r.rise.x * centre.x + r.rise.y * centre.y;
+  float near = casterNear(ivec2(texel));
+  return near > plane ? near : -1e30f;
 }
 
 FUNCTION bool isShaded(SunReceiver r, vec2 way) {
-  precise vec2 place = r.middle + way;
-  return casterNear(ivec2(floor(place))) > planeNear(r, way);
+  return shadingNear(r, way) > -1e30f;
 }
 
 // Returns the number of lit points among the four corners of a square, whose centre has the offset `way`. `aside` is
@@ -50,9 +54,8 @@ FUNCTION float sunDiscFraction(SunReceiver r) {
   precise float sum = 0.0f;
   for (int i = 0; i < discTaps; ++i) {
     precise vec2 way = search * discPoints[i];
-    precise vec2 place = r.middle + way;
-    float near = casterNear(ivec2(floor(place)));
-    bool shades = near > planeNear(r, way);
+    float near = shadingNear(r, way);
+    bool shades = near > -1e30f;
     sum = sum + (shades ? near : 0.0f);
     casters += shades ? 1 : 0;
   }

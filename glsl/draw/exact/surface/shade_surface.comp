@@ -138,6 +138,11 @@ vec4 lightOf(ivec2 pixel, uint triangle, int sampleAt) {
 #else
   const float fraction = 1.0f;
 #endif
+#if defined LAMPS && !defined REFLECTED
+#if SHADOWED_LAMPS > 0
+  receivingPlane = spot.normal;
+#endif
+#endif
   Look look = Look(base, material_.x, material_.y, material_.z, opennessOn(pixel, spot.place));
 #ifdef EDGES
   look.base = edgedColor(look.base, spot.weight, weightsBeside(spot, vec2(1, 0)), weightsBeside(spot, vec2(0, -1)));

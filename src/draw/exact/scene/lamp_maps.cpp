@@ -49,8 +49,6 @@ static_assert(shader::maxFaceViews >= shader::lampFaces * static_cast<int>(scene
 LampMaps::LampMaps(const Lamps& lamps, bool sparing, bool together)
     : sparing_(sparing), together_(together), count_(lamps.order().shadowed) {
   if (!on()) return;
-  for (const scene::Light* light : lamps.order().lights)
-    if (light->shadow) softness_ = std::max(softness_, light->shadowSoftness);
   keys_.emplace("the shadow maps of the lights", lamps.order().atlas, 1, false);
   // The clipped triangles of all faces need only one barrier, so clipping in advance pays on GPUs too.
   constexpr int fans = 1 << 19;
@@ -91,11 +89,11 @@ void LampMaps::draw(const sim::Drawables& drawables, const Lamps& lamps, ExactIn
   for (int i = 0; i < all; ++i) {
     const auto lamp = static_cast<std::size_t>(i / shader::lampFaces);
     const int side = order.lights[lamp]->shadowSize;
-    // As for the sun, a shadow filter of r texels reads depths up to r + 1 texels away along a slope.
+    // The offset is 0, because the receivers' planes are compared
+    // (glsl/draw/exact/shadows/shadow_filter.glsl).
     faces.push_back({.views = &views_,
                      .view = static_cast<std::size_t>(i) * viewStride_,
-                     .part = {.slopeOffset = 1.5F + softness_,
-                              .side = side,
+                     .part = {.side = side,
                               .firstKey = order.rows[lamp] * order.atlas.x + i % shader::lampFaces * side,
                               .keyStride = order.atlas.x}});
   }

@@ -36,8 +36,7 @@ class LampMaps {
 
   bool sparing_;
   bool together_;
-  int count_;  ///< number of lamps with shadows
-  float softness_ = 0;
+  int count_;                   ///< number of lamps with shadows
   std::size_t viewStride_ = 0;  ///< distance (bytes) between the views of consecutive maps in `views_`
   std::optional<Visibility> keys_;
   std::optional<TriangleRaster> raster_;

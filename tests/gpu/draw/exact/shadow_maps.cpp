@@ -11,8 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -68,19 +71,21 @@ std::vector<glm::vec4> spread(int count, std::uint32_t seed) {
 }
 
 /// Returns the root of the mean square of the difference between the pictures with shadow maps and with
-/// traced rays, relative to the light of the lit ground. Rays start at the centres of pixels, so they are
-/// traced for 4 x 4 parts of each pixel.
-double differenceFromRays(scene::Scene& scene, const sim::Drawables& drawables, glm::ivec2 size) {
+/// traced rays, relative to the largest light. Rays start at the centres of pixels, so they are traced for
+/// 4 x 4 parts of each pixel. The other picture has parts x parts pixels for each of them.
+double differenceFromRays(scene::Scene& scene, const sim::Drawables& drawables, glm::ivec2 size,
+                          int parts = 1) {
   scene.render.quality = scene::Quality::high;
   const RayPicture rays = rayPicture(scene, drawables, 4 * size);
   scene.render.quality = scene::Quality::draft;
-  const RayPicture maps = rayPicture(scene, drawables, size);
+  const RayPicture maps = rayPicture(scene, drawables, parts * size);
   double sum = 0;
   double lit = 0;
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      const double wanted = rays.mean(4 * glm::ivec2(x, y), 4 * glm::ivec2(x + 1, y + 1)).y;
-      const double difference = maps.at(x, y).y - wanted;
+      const glm::ivec2 first(x, y);
+      const double wanted = rays.mean(4 * first, 4 * (first + 1)).y;
+      const double difference = maps.mean(parts * first, parts * (first + 1)).y - wanted;
       sum += difference * difference;
       lit = std::max(lit, wanted);
     }
@@ -325,5 +330,66 @@ TEST_CASE("shadow edges on ground seen at a grazing angle match those of traced 
     scene.lights = {lampAt({0, 6, 0}, 20, true)};
     scene.lights[0].shadowSoftness = softness;
     CHECK(differenceFromRays(scene, {.surfaces = {sheet.surface}}, size) < most);
+  }
+}
+
+TEST_CASE("shadows in folds match those of traced rays") {
+  testContext();
+  scene::Scene scene = furnace(1);
+  scene.sky.zenith = scene.sky.horizon = scene.sky.ground = glm::vec3(0);
+  scene.sun.shadowSize = 320;
+  lookDown(scene, 20, 11);
+  // The sheet has 8 folds, which are about 32 texels of the maps wide. It is dark, because only rays show
+  // the light that it throws on itself.
+  const glm::ivec2 grid(257, 3);
+  GridStage sheet(grid, {-2, 0, -2}, {4, 0, 0}, {0, 0, 4});
+  std::vector<glm::vec4> folded;
+  for (int y = 0; y < grid.y; ++y)
+    for (int x = 0; x < grid.x; ++x) {
+      const float part = static_cast<float>(x) / static_cast<float>(grid.x - 1);
+      folded.emplace_back(4 * part - 2, 0.11F * std::sin(16 * std::numbers::pi_v<float> * part), 2 * y - 2,
+                          1);
+    }
+  sheet.buffer.write(0, std::as_bytes(std::span(folded)));
+  sheet.material.roughness = 1;
+  sheet.material.color = glm::vec3(0.05F);
+  const glm::ivec2 size(96, 24);
+  for (const float elevation : {0.6F, 1.2F})
+    for (const float softness : {1.5F, 2.5F}) {
+      CAPTURE(elevation);
+      CAPTURE(softness);
+      scene.sun.direction = glm::vec3(1, elevation, 0.2F);
+      scene.sun.intensity = 3.0F;
+      scene.sun.shadowSoftness = softness;
+      scene.lights.clear();
+      CHECK(differenceFromRays(scene, {.surfaces = {sheet.surface}}, size, 4) < 0.027);
+      scene.sun.intensity = 0.0F;
+      scene.lights = {lampAt(6.0F * glm::normalize(glm::vec3(1, elevation, 0.2F)), 50, true)};
+      scene.lights[0].shadowSoftness = softness;
+      scene.lights[0].shadowSize = 800;
+      CHECK(differenceFromRays(scene, {.surfaces = {sheet.surface}}, size, 4) <
+            (elevation > 1 ? 0.0086 : 0.0175));
+    }
+}
+
+TEST_CASE("a floor that reaches far beyond the picture does not coarsen the sun's shadows") {
+  testContext();
+  scene::Scene scene = furnace(1);
+  scene.sky.zenith = scene.sky.horizon = scene.sky.ground = glm::vec3(0);
+  scene.sun.direction = glm::vec3(1, 1, 0.3F);
+  scene.sun.intensity = 3.0F;
+  scene.sun.shadowSize = 256;
+  GridStage floor({2, 2}, {-30, 0, -30}, {60, 0, 0}, {0, 0, 60});
+  floor.material.roughness = 1;
+  floor.material.color = glm::vec3(0.05F);
+  // The sheet is outside the picture, its shadow in the middle.
+  GridStage sheet({2, 2}, {3.5F, 4, 0.7F}, {1, 0, 0}, {0, 0, 1});
+  sheet.material.color = glm::vec3(0);
+  for (const auto& [place, most] :
+       {std::pair(glm::vec3(0, 9, 1e-3F), 0.18), {{3, 6, 4}, 0.21}, {{-6, 4, -2}, 0.15}}) {
+    scene.camera.position = place;
+    scene.camera.target = glm::vec3(0);
+    scene.camera.fieldOfView = 16;
+    CHECK(differenceFromRays(scene, {.surfaces = {floor.surface, sheet.surface}}, {64, 48}, 4) < most);
   }
 }
