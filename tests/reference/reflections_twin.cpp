@@ -18,6 +18,7 @@ struct MirrorKernel {
   const ReflectionsTwin& twin;
   const ExactView& view = twin.view;
   vec2 mirrorReach_ = twin.reach;
+  float cellsPerPixel_ = 0.5F;
 
   template <class Cell>
   [[nodiscard]] static Cell cellAt(const std::vector<Cell>& cells, ivec2 size, int level, ivec2 at) {
@@ -90,6 +91,5 @@ glm::vec4 ReflectionsTwin::lightMet(const Ray& ray) const {
   const MirrorKernel::MirrorWay way =
       kernel.mirrorWay(ray.p, ray.direction, ray.ground, ray.facing, ray.towards, ray.turns, ray.roughness);
   if (way.counts <= 0.0F) return glm::vec4(0);
-  const MirrorKernel::MirrorHit hit = kernel.followMirrored(way);
-  return hit.counts > 0.0F ? kernel.lightMirrored(way, hit, ray.roughness) : glm::vec4(0);
+  return kernel.lightAlong(way, ray.roughness);
 }
