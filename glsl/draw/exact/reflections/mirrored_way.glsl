@@ -13,7 +13,7 @@
 // surface.
 // 2. 1 / n(t) - 1 / nearest < thickness at the nearer end: there the ray is behind the visible surface by less than the
 // thickness of objects. (In orthographic views the nearness is a negative depth plus a constant, and the condition is
-// nearest - n(t) < thickness.)
+// nearest - n(t) < thickness.) Far objects are thicker (thickAt).
 // 3. The visible surface is in front of the mirror's plane: nearest is greater than the plane's nearness by 3/4 of the
 // plane's change over a half pixel (the sum of both axes), and by 0.2% of the mirror's nearness.
 // The weight of a hit is reduced from 1 to 0 as:
@@ -283,13 +283,15 @@ FUNCTION MirrorCell mirrorCell(MirrorWay way, ivec2 beyond, vec2 perWay, float t
   return cell;
 }
 
-// Returns the assumed thickness of the object in the cell, as a difference of nearness.
+// Returns the assumed thickness of the object in the cell, as a difference of nearness. Far objects are at least 1/24 of
+// their distance thick, because a half pixel of a grazing ray is long there.
 FUNCTION float thickAt(MirrorCell cell) {
 #ifdef PARALLEL
   return mirrorReach_.y;
 #else
   precise float thick = mirrorReach_.y * cell.nearest * max(cell.here, cell.there);
-  return thick;
+  precise float minimum = 0.0416666667f * cell.nearest;
+  return max(thick, minimum);
 #endif
 }
 
@@ -300,6 +302,7 @@ FUNCTION MirrorHit followMirrored(MirrorWay way, float start, float passed) {
                      exactReciprocal(abs(way.along.y) < 1e-6f ? 1e-6f : way.along.y));
   ivec2 beyond = ivec2(way.along.x > 0.0f ? 1 : 0, way.along.y > 0.0f ? 1 : 0);
   float minimum = partOf(way.nearness, 0.002f);
+  float same = partOf(passed, 0.04f);
   precise float ownPlane = way.nearness + 0.75f * (abs(way.slope.x) + abs(way.slope.y)) + minimum;
   float t = start;
   bool met = false;
@@ -315,7 +318,8 @@ FUNCTION MirrorHit followMirrored(MirrorWay way, float start, float passed) {
     precise float own = ownPlane + (way.slope.x * aside.x + way.slope.y * aside.y);
 #endif
     precise float deep = cell.nearest - max(cell.here, cell.there);
-    bool other = passed == 0.0f || !sameObject(cell.nearest, passed);
+    precise float apart = cell.nearest - passed;
+    bool other = passed == 0.0f || abs(apart) >= same;
     met = behind && level == 0 && other && cell.nearest > own && deep < thickAt(cell);
     t = met || (behind && level > 0) ? t : cell.next;
     level = behind ? max(level - 1, 0) : min(level + 2, lastLevel);

@@ -34,7 +34,7 @@ class Reflections {
   [[nodiscard]] const gl::Texture& nearest() const { return nearest_.view; }
   /// Returns the uniform mirrorReach. x: max length of reflected rays (m). y: assumed thickness of
   /// reflected objects (m). `away`: distance (m) from the camera to its target.
-  [[nodiscard]] static glm::vec2 reachOf(float away) { return {4 * away, away / 24.0F}; }
+  [[nodiscard]] static glm::vec2 reachOf(float away) { return {64 * away, away / 24.0F}; }
 
  private:
   /// A mip pyramid. Level 0 has one texel per 2x2 pixels.
