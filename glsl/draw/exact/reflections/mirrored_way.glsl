@@ -27,7 +27,7 @@
 // - the distance of the hit along the ray grows from half of the max length to the max length;
 // - the cosine of the angle between the ray and the direction to the eye grows from 0 to 1/2, because the back sides of
 // objects are not visible;
-// - the distance between the points that neighbouring half pixels of a curved mirror reflect grows from 1 to 5 half
+// - the distance between the points that neighbouring half pixels of a curved mirror reflect grows from 1/2 to 3 half
 // pixels, which would be noise;
 // - the roughness grows from 0.1 to 0.3, because rougher mirrors would need blurred edges.
 // The remaining weight counts as a miss. REFRACTED: the ray has passed through glass. It has no mirror's plane, so
@@ -346,7 +346,7 @@ FUNCTION MirrorHit followMirrored(MirrorWay way, float start, float passed) {
 #ifdef REFRACTED
     const float bent = 0.0f;
 #else
-    precise float bent = (hit.spread - 1.0f) * 0.25f;
+    precise float bent = (hit.spread - 0.5f) * 0.4f;
 #endif
     precise vec2 first = way.from + way.along * hit.at;
     precise vec2 later = way.from + way.along * (t + 2.0f);
