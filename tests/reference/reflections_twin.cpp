@@ -18,6 +18,8 @@ struct MirrorKernel {
   const ReflectionsTwin& twin;
   const ExactView& view = twin.view;
   vec2 mirrorReach_ = twin.reach;
+  bool refined = !twin.nearestOfPixels.empty();
+  float cellsPerPixel_ = refined ? 1.0F : 0.5F;
 
   template <class Cell>
   [[nodiscard]] static Cell cellAt(const std::vector<Cell>& cells, ivec2 size, int level, ivec2 at) {
@@ -25,10 +27,19 @@ struct MirrorKernel {
     if (at.x < 0 || at.y < 0 || at.x >= end.x || at.y >= end.y) return Cell(0);
     return cells[static_cast<std::size_t>(levelPlace(levelRoom(size), level, at))];
   }
-  [[nodiscard]] float nearestAt(int level, ivec2 at) const {
-    return cellAt(twin.nearest, twin.half(), level, at);
+  template <class Cell>
+  [[nodiscard]] Cell pixelAt(const std::vector<Cell>& pixels, ivec2 at) const {
+    if (at.x < 0 || at.y < 0 || at.x >= view.size.x || at.y >= view.size.y) return Cell(0);
+    return pixels[static_cast<std::size_t>(at.y * view.size.x + at.x)];
   }
-  [[nodiscard]] vec4 litAt(int level, ivec2 at) const { return cellAt(twin.lit, twin.half(), level, at); }
+  [[nodiscard]] float nearestAt(int level, ivec2 at) const {
+    if (refined && level == 0) return pixelAt(twin.nearestOfPixels, at);
+    return cellAt(twin.nearest, twin.half(), refined ? level - 1 : level, at);
+  }
+  [[nodiscard]] vec4 litAt(int level, ivec2 at) const {
+    if (refined && level == 0) return nearestAt(0, at) > 0 ? pixelAt(twin.lightOfPixels, at) : vec4(0);
+    return cellAt(twin.lit, twin.half(), refined ? level - 1 : level, at);
+  }
 #include "glsl/draw/exact/reflections/mirrored_way.glsl"
 
   template <class Cell, class Join>
@@ -64,6 +75,7 @@ void ReflectionsTwin::see(const std::vector<float>& nearness, const std::vector<
   const auto lightOf = [&](int x, int y) {
     return light[static_cast<std::size_t>(min(y, view.size.y - 1) * view.size.x + min(x, view.size.x - 1))];
   };
+  lightOfPixels = light;
   const auto mean = [](vec4 a, vec4 b, vec4 c, vec4 d) { return 0.25F * ((a + b) + (c + d)); };
   MirrorKernel kernel{*this};
   std::vector<glm::vec4> halves;
@@ -90,6 +102,5 @@ glm::vec4 ReflectionsTwin::lightMet(const Ray& ray) const {
   const MirrorKernel::MirrorWay way =
       kernel.mirrorWay(ray.p, ray.direction, ray.ground, ray.facing, ray.towards, ray.turns, ray.roughness);
   if (way.counts <= 0.0F) return glm::vec4(0);
-  const MirrorKernel::MirrorHit hit = kernel.followMirrored(way);
-  return hit.counts > 0.0F ? kernel.lightMirrored(way, hit, ray.roughness) : glm::vec4(0);
+  return kernel.lightAlong(way, ray.roughness);
 }

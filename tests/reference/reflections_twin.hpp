@@ -1,6 +1,7 @@
 #pragma once
 #include "draw/exact/exact_view.hpp"
 
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -15,6 +16,9 @@ struct ReflectionsTwin {
   /// Stores the nearness (1/m) of half-resolution pixels and the light of full-size pixels, row by row, and
   /// builds the mip levels of both.
   void see(const std::vector<float>& nearness, const std::vector<glm::vec4>& light);
+  /// Stores the nearness (1/m) of full-size pixels, row by row. Rays are then traced as for uneven half
+  /// pixels.
+  void refine(std::vector<float> nearness) { nearestOfPixels = std::move(nearness); }
   /// A reflection ray from `p` in a unit direction. `facing`: normal of the surface. `towards`: unit
   /// direction to the eye.
   struct Ray {
@@ -28,4 +32,6 @@ struct ReflectionsTwin {
   [[nodiscard]] glm::ivec2 half() const { return (view.size + 1) / 2; }
   std::vector<float> nearest;  ///< nearness, all mip levels
   std::vector<glm::vec4> lit;
+  std::vector<float> nearestOfPixels;  ///< empty if rays are traced for half-resolution pixels
+  std::vector<glm::vec4> lightOfPixels;
 };

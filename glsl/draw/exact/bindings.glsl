@@ -23,7 +23,9 @@ const int outNormalBinding = 5;
 const int throughBinding = 12;
 const int halfPixelBinding = 0;  // storage block: output of the occlusion and reflection kernels
 const int litBinding = 1;
+const int pixelNearnessBinding = 2, unevenBinding = 3;
 // Image units.
 const int sumImage = 0, pictureImage = 1, lightImage = 2, scatteredImage = 3;
 const int nearnessImage = 4, arcImage = 5, opennessImage = 6, litImage = 7;
+const int unevenImage = 5;  // the unit is free because the kernels that read it read no arcs
 #endif

@@ -28,7 +28,7 @@ using PassMaker = std::unique_ptr<Pass>(ExactFrame& frame);
 /// A list of names with a fixed capacity of `maximum`.
 class Names {
  public:
-  static constexpr std::size_t maximum = 8;
+  static constexpr std::size_t maximum = 10;
   constexpr Names(std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names) names_.at(count_++) = name;
   }

@@ -9,9 +9,9 @@ namespace simreel::draw {
 // Factories of the passes, defined in draw/exact/passes.
 PassMaker makeSkins, makeThings, makeRayScene, makeJoinedSurfaces, makeLampMaps, makeSunMap, makeMirrors,
     makeView, makeVisibility, makeLensNearness, makeNearness, makeOpenness, makeTiles, makeKeptVisibility,
-    makeBlended, makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected, makeSpread,
-    makeBehindGlass, makeFarGlass, makeNearGlass, makeKeptLight, makeLensShift, makeGlows, makeMean,
-    makeKeptGlow, makeFieldsBehind, makeScatter, makeFilm;
+    makeBlended, makeSurfaces, makeRayLight, makeEdges, makeLayers, makeMirrored, makeReflected, makeUneven,
+    makeRefined, makeSpread, makeBehindGlass, makeFarGlass, makeNearGlass, makeKeptLight, makeLensShift,
+    makeGlows, makeMean, makeKeptGlow, makeFieldsBehind, makeScatter, makeFilm;
 
 /// Resources that hold only the current band of a picture. A pass with Each::view ends the loop over the
 /// bands. If later passes read one of these resources, the passes that wrote it run again, band by band.
@@ -34,7 +34,7 @@ inline constexpr PassEntry exactPasses[] = {
     {"visibility", Each::band, "visibility", {"things", "joined", "view", "skins"}, {"visibility"}, {},
      makeVisibility},
     {"lens nearness", Each::band, "lens", {"visibility", "view"}, {"lens nearness"}, {}, makeLensNearness},
-    {"nearness", Each::band, "occlusion", {"visibility", "view"}, {"nearness"}, {}, makeNearness},
+    {"nearness", Each::band, "occlusion", {"visibility", "view", "mirrors"}, {"nearness"}, {}, makeNearness},
     {"openness", Each::view, "occlusion", {"nearness", "view"}, {"openness"}, {}, makeOpenness},
     {"tiles", Each::band, "surfaces", {"visibility", "view"}, {"tiles", "visibility", "light"}, {}, makeTiles},
     {"kept visibility", Each::band, nullptr, {"visibility", "sun map", "lamp maps", "openness"}, {},
@@ -55,6 +55,10 @@ inline constexpr PassEntry exactPasses[] = {
     {"reflected", Each::band, "reflections",
      {"mirrors", "mirrored", "changes", "visibility", "tiles", "through", "openness", "skins"}, {"changes"}, {},
      makeReflected},
+    {"uneven", Each::view, "reflections", {"mirrors", "changes", "light"}, {"uneven", "changes"}, {}, makeUneven},
+    {"refined", Each::band, "reflections",
+     {"mirrors", "mirrored", "changes", "uneven", "light", "visibility", "tiles", "through", "openness", "skins"},
+     {"changes"}, {}, makeRefined},
     {"spread", Each::view, "reflections", {"mirrors", "changes", "light"}, {"light"}, {}, makeSpread},
     {"behind far glass", Each::view, "reflections", {"things", "light", "nearness"}, {"behind glass"}, {},
      makeBehindGlass},

@@ -1,5 +1,6 @@
 // Writes the nearness of the nearest sample in each half pixel (block of 2x2 pixels) of the current band of picture
-// rows. GROUND: the ground counts too. One invocation handles ROWS vertically adjacent half pixels. SAMPLES: samples
+// rows. GROUND: the ground counts too. PIXELS: also writes the nearness of the nearest object in each pixel, without the
+// ground. One invocation handles ROWS vertically adjacent half pixels. SAMPLES: samples
 // per pixel. PAIRED: as in draw/exact/sample_read.glsl.
 #define EXACT_PICTURE
 #include "draw/frame_block.glsl"
@@ -8,6 +9,10 @@
 #include "draw/exact/occlusion/ground_nearness.glsl"
 layout(local_size_x = 8, local_size_y = 8 / ROWS) in;
 layout(std430, binding = halfPixelBinding) writeonly restrict buffer NearnessBlock { float nearness[]; };
+#ifdef PIXELS
+layout(std430, binding = pixelNearnessBinding) writeonly restrict buffer PixelNearnessBlock { float pixelNearness[]; };
+uniform int firstPixel;  // place of the first pixel in the block
+#endif
 
 uint nearestKey(ivec2 pixel) {
   int first = firstSample(pixel);
@@ -23,11 +28,26 @@ uint nearestKey(ivec2 pixel) {
   return key;
 }
 
+float nearOfKey(uint key) {
+  return key <= 0x7fffffffu ? intBitsToFloat(int(0x7fffffffu - key)) : 0.0f;
+}
+
 float nearnessOf(ivec2 at) {
   ivec2 first = 2 * at, last = min(first + 1, ivec2(view.size.x, view.rows.y) - 1);
-  uint key = min(min(nearestKey(first), nearestKey(ivec2(last.x, first.y))),
-                 min(nearestKey(ivec2(first.x, last.y)), nearestKey(last)));
-  float near = key <= 0x7fffffffu ? intBitsToFloat(int(0x7fffffffu - key)) : 0.0f;
+  uvec4 keys = uvec4(nearestKey(first), nearestKey(ivec2(last.x, first.y)), nearestKey(ivec2(first.x, last.y)), nearestKey(last));
+  float near = nearOfKey(min(min(keys.x, keys.y), min(keys.z, keys.w)));
+#ifdef PIXELS
+  for (int k = 0; k < 4; ++k) {
+    ivec2 pixel = first + ivec2(k & 1, k >> 1);
+    if (pixel.x > last.x || pixel.y > last.y) continue;
+    float shown = nearOfKey(keys[k]);
+    precise vec2 middle = vec2(pixel) + 0.5f;
+#ifdef GROUND
+    for (int i = shown > 0.0f ? 0 : 1; i < 1; ++i) shown = shown > groundNearnessAt(middle) ? shown : 0.0f;
+#endif
+    pixelNearness[firstPixel + pixel.y * view.size.x + pixel.x] = nearnessPerMetre(shown);
+  }
+#endif
 #ifdef GROUND
   near = max(near, groundNearness(at));
 #endif

@@ -19,4 +19,9 @@ FUNCTION int levelPlace(ivec2 room, int level, ivec2 at) {
   int right = level > 0 ? room.x : 0;
   return (at.y + down) * (room.x + (room.x >> 1)) + at.x + right;
 }
+
+// Returns the number of buffer elements of all levels, including the gaps between levels.
+FUNCTION int levelCells(ivec2 room) {
+  return room.y * (room.x + (room.x >> 1));
+}
 #endif

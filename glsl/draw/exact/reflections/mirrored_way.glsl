@@ -2,7 +2,9 @@
 // M. Mara, "Efficient GPU screen-space ray tracing", Journal of Computer Graphics Techniques 3(4), 2014 (the path on
 // the picture and the thickness); Y. Uludag, "Hi-Z screen-space cone-traced reflections", GPU Pro 5, 2014 (the levels).
 // Compiles as GLSL and as C++. The including file declares `view`, float nearestAt(level, cell) and vec4 litAt(level,
-// cell) of half pixels (blocks of 2x2 pixels), and vec2 mirrorReach_: max length of rays and thickness of objects (m).
+// cell), float cellsPerPixel_, and vec2 mirrorReach_: max length of rays and thickness of objects (m). A cell of level 0
+// is a half pixel (a block of 2x2 pixels), and cellsPerPixel_ is 1/2. In rays that refine the picture (refined.glsl), it
+// is a pixel, and cellsPerPixel_ is 1; all lengths called half pixels below are then pixels.
 // On the picture a ray is a line, and its nearness is affine along the line, as for planes: n(t) = n0 + t n', with t in
 // half pixels. A cell of a level holds the nearness of the nearest point that it covers. If that point is farther away
 // than the ray in the whole cell, the ray hits nothing there and continues with larger cells. Otherwise it continues
@@ -11,7 +13,7 @@
 // surface.
 // 2. 1 / n(t) - 1 / nearest < thickness at the nearer end: there the ray is behind the visible surface by less than the
 // thickness of objects. (In orthographic views the nearness is a negative depth plus a constant, and the condition is
-// nearest - n(t) < thickness.)
+// nearest - n(t) < thickness.) Far objects are thicker (thickAt).
 // 3. The visible surface is in front of the mirror's plane: nearest is greater than the plane's nearness by 3/4 of the
 // plane's change over a half pixel (the sum of both axes), and by 0.2% of the mirror's nearness.
 // The weight of a hit is reduced from 1 to 0 as:
@@ -19,13 +21,14 @@
 // at most 1%), grows from 0 to the thickness, and sooner for a curved mirror; the surface's nearness is the mean of the half
 // pixel's and of the nearness where the object's light is read;
 // - the path only crosses a corner of the half pixels that show the object;
-// - the object is narrower than a half pixel: both neighbours on opposite sides are farther away, by 4% to 8%;
+// - only for REFRACTED: the object is narrower than a half pixel: both neighbours on opposite sides are farther away, by
+// 4% to 8%;
 // - the distance of the hit from the border of the picture falls from a tenth of the picture's height to 0;
 // - the distance of the hit along the ray grows from half of the max length to the max length;
 // - the cosine of the angle between the ray and the direction to the eye grows from 0 to 1/2, because the back sides of
 // objects are not visible;
-// - the distance between the points that neighbouring half pixels of a curved mirror reflect grows from 1/8 to 3/4 half
-// pixel, which would be noise;
+// - the distance between the points that neighbouring half pixels of a curved mirror reflect grows from 1/2 to 3 half
+// pixels, which would be noise;
 // - the roughness grows from 0.1 to 0.3, because rougher mirrors would need blurred edges.
 // The remaining weight counts as a miss. REFRACTED: the ray has passed through glass. It has no mirror's plane, so
 // condition 3 always holds. The roughness does not reduce the weight. The curvature reduces it only through the first
@@ -54,6 +57,8 @@ struct MirrorWay {
 struct MirrorHit {
   float at;      // distance of the hit along the path in half pixels
   float counts;
+  float covers;  // fraction of the ray that the object stops; the rest passes behind it
+  float nearest;  // nearness of the object; 0 if the light of all objects there counts
   float spread;  // distance, in half pixels, between the points that neighbouring half pixels reflect
   vec2 inwards;  // way in half pixels from the hit to the inside of the object, if the hit is at its edge
 };
@@ -82,21 +87,22 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, 
   precise vec2 moved = vec2(exactDot(vec3(view.across), direction), exactDot(vec3(view.down), direction));
   float steep = exactDot(facing, aside);
   vec2 tilt = vec2(exactDot(facing, vec3(view.rayAcross)), exactDot(facing, vec3(view.rayDown)));
+  float pixelsPerCell = cellsPerPixel_ > 0.75f ? 1.0f : 2.0f;
   MirrorWay way;
 #ifdef PARALLEL
   steep = exactDot(facing, vec3(view.forward));
-  precise vec2 from = 0.25f * vec2(view.size) + 0.5f * across;
-  precise vec2 velocity = 0.5f * moved;
+  precise vec2 from = 0.5f * cellsPerPixel_ * vec2(view.size) + cellsPerPixel_ * across;
+  precise vec2 velocity = cellsPerPixel_ * moved;
   precise float nearness = exactReciprocal(view.forward.w) + (view.near - depth);
   float perSteep = exactReciprocal(min(steep, -1e-9f));
-  precise vec2 slope = 2.0f * tilt * perSteep;
+  precise vec2 slope = pixelsPerCell * tilt * perSteep;
 #else
   float perDepth = exactReciprocal(max(depth, 1e-9f));
-  precise vec2 from = 0.5f * across * perDepth;
-  precise vec2 velocity = (0.5f * moved - from * recedes) * perDepth;
+  precise vec2 from = cellsPerPixel_ * across * perDepth;
+  precise vec2 velocity = (cellsPerPixel_ * moved - from * recedes) * perDepth;
   float nearness = perDepth;
   float perSteep = exactReciprocal(min(steep, -1e-9f));
-  precise vec2 slope = 2.0f * tilt * perSteep;
+  precise vec2 slope = pixelsPerCell * tilt * perSteep;
 #endif
   precise float square = velocity.x * velocity.x + velocity.y * velocity.y;
   float perSpeed = exactInverseSqrt(max(square, 1e-20f));
@@ -116,7 +122,7 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, 
   float reach = wholeWay;
 #endif
   vec2 far = vec2(along.x > 0.0f ? float(view.size.x) : 0.0f, along.y > 0.0f ? float(view.size.y) : 0.0f);
-  precise vec2 left = 0.5f * far - from;
+  precise vec2 left = cellsPerPixel_ * far - from;
   precise float acrossEnd = left.x * exactReciprocal(abs(along.x) < 1e-6f ? 1e-6f : along.x);
   precise float downEnd = left.y * exactReciprocal(abs(along.y) < 1e-6f ? 1e-6f : along.y);
   float border = min(abs(along.x) < 1e-6f ? 1e9f : acrossEnd, abs(along.y) < 1e-6f ? 1e9f : downEnd);
@@ -142,7 +148,8 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, 
 }
 
 // Returns the distance, in half pixels, between the points that two neighbouring half pixels of a curved mirror reflect
-// at position t. A mirror turned by an angle turns reflected rays by twice that angle.
+// at position t. A mirror turned by an angle turns reflected rays by twice that angle. The distance in pixels between the
+// points of neighbouring pixels is the same number.
 FUNCTION float spreadAt(MirrorWay way, float t) {
   float perAcross = exactInverseSqrt(exactDot(vec3(view.rayAcross), vec3(view.rayAcross)));
 #ifdef PARALLEL
@@ -175,17 +182,46 @@ FUNCTION float widthWeight(vec4 around, float here) {
   return counts;
 }
 
-// Returns the bilinear mean of nearness at a position in half pixels.
-FUNCTION float nearnessIn(vec2 place) {
-  precise vec2 at = place - 0.5f;
+// Bilinear weights of four cells: the first cell and those to the right of it, below it, and diagonally below it.
+struct CellsAround {
+  ivec2 first;
+  vec4 weights;
+};
+
+// Returns the bilinear weights of the cells of a level around a position (half pixels). Cells that show an object other
+// than the one of nearness `nearest` have the weight 0, unless there are only such cells. For nearest = 0, all cells
+// count.
+FUNCTION CellsAround cellsAround(int level, vec2 place, float nearest) {
+  precise float perCell = intBitsToFloat((127 - level) << 23);
+  precise vec2 at = place * perCell - 0.5f;
   vec2 low = floor(at);
   precise vec2 share = at - low;
+  precise vec2 rest = 1.0f - share;
   ivec2 first = ivec2(low);
-  float a = nearestAt(0, first), b = nearestAt(0, first + ivec2(1, 0));
-  float c = nearestAt(0, first + ivec2(0, 1)), d = nearestAt(0, first + 1);
-  precise float above = a + (b - a) * share.x;
-  precise float below = c + (d - c) * share.x;
-  precise float mean = above + (below - above) * share.y;
+  precise vec4 weights = vec4(rest.x * rest.y, share.x * rest.y, rest.x * share.y, share.x * share.y);
+  vec4 nears = vec4(nearestAt(level, first), nearestAt(level, first + ivec2(1, 0)), nearestAt(level, first + ivec2(0, 1)),
+                    nearestAt(level, first + 1));
+  precise float maximum = partOf(nearest, 0.04f) * intBitsToFloat((127 + level) << 23);
+  precise vec4 off = nears - vec4(nearest);
+  vec4 differs = abs(off);
+  vec4 counts = vec4(differs.x < maximum ? weights.x : 0.0f, differs.y < maximum ? weights.y : 0.0f,
+                     differs.z < maximum ? weights.z : 0.0f, differs.w < maximum ? weights.w : 0.0f);
+  precise float sum = (counts.x + counts.y) + (counts.z + counts.w);
+  bool any_ = nearest > 0.0f && sum > 0.001f;
+  precise vec4 whole = counts * exactReciprocal(any_ ? sum : 1.0f);
+  CellsAround cells;
+  cells.first = first;
+  cells.weights = any_ ? whole : weights;
+  return cells;
+}
+
+// Returns the mean nearness of the object of nearness `nearest` at a position in half pixels.
+FUNCTION float nearnessIn(vec2 place, float nearest) {
+  CellsAround cells = cellsAround(0, place, nearest);
+  vec4 w = cells.weights;
+  precise float mean =
+      (w.x * nearestAt(0, cells.first) + w.y * nearestAt(0, cells.first + ivec2(1, 0))) +
+      (w.z * nearestAt(0, cells.first + ivec2(0, 1)) + w.w * nearestAt(0, cells.first + 1));
   return mean;
 }
 
@@ -247,23 +283,28 @@ FUNCTION MirrorCell mirrorCell(MirrorWay way, ivec2 beyond, vec2 perWay, float t
   return cell;
 }
 
-// Returns the assumed thickness of the object in the cell, as a difference of nearness.
+// Returns the assumed thickness of the object in the cell, as a difference of nearness. Far objects are at least 1/24 of
+// their distance thick, because a half pixel of a grazing ray is long there.
 FUNCTION float thickAt(MirrorCell cell) {
 #ifdef PARALLEL
   return mirrorReach_.y;
 #else
   precise float thick = mirrorReach_.y * cell.nearest * max(cell.here, cell.there);
-  return thick;
+  precise float minimum = 0.0416666667f * cell.nearest;
+  return max(thick, minimum);
 #endif
 }
 
-FUNCTION MirrorHit followMirrored(MirrorWay way) {
+// Returns the first hit of a path after position `start` on an object other than the one of nearness `passed` (0: on any
+// object).
+FUNCTION MirrorHit followMirrored(MirrorWay way, float start, float passed) {
   vec2 perWay = vec2(exactReciprocal(abs(way.along.x) < 1e-6f ? 1e-6f : way.along.x),
                      exactReciprocal(abs(way.along.y) < 1e-6f ? 1e-6f : way.along.y));
   ivec2 beyond = ivec2(way.along.x > 0.0f ? 1 : 0, way.along.y > 0.0f ? 1 : 0);
   float minimum = partOf(way.nearness, 0.002f);
+  float same = partOf(passed, 0.04f);
   precise float ownPlane = way.nearness + 0.75f * (abs(way.slope.x) + abs(way.slope.y)) + minimum;
-  float t = 0.0f;
+  float t = start;
   bool met = false;
   int level = 0;
   for (int k = 0; k < mirrorSteps; ++k) {
@@ -277,13 +318,17 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
     precise float own = ownPlane + (way.slope.x * aside.x + way.slope.y * aside.y);
 #endif
     precise float deep = cell.nearest - max(cell.here, cell.there);
-    met = behind && level == 0 && cell.nearest > own && deep < thickAt(cell);
+    precise float apart = cell.nearest - passed;
+    bool other = passed == 0.0f || abs(apart) >= same;
+    met = behind && level == 0 && other && cell.nearest > own && deep < thickAt(cell);
     t = met || (behind && level > 0) ? t : cell.next;
     level = behind ? max(level - 1, 0) : min(level + 2, lastLevel);
   }
   MirrorHit hit;
   hit.at = 0.0f;
   hit.counts = 0.0f;
+  hit.covers = 0.0f;
+  hit.nearest = 0.0f;
   hit.inwards = vec2(0.0f);
   for (int i = met ? 0 : 1; i < 1; ++i) {
     MirrorCell cell = mirrorCell(way, beyond, perWay, t, 0);
@@ -291,38 +336,42 @@ FUNCTION MirrorHit followMirrored(MirrorWay way) {
     vec2 slope = slopesAt(around, cell.nearest);
     hit.at = meetingPlane(way, cell.at, cell.nearest, slope, t, cell.next);
     hit.spread = spreadAt(way, hit.at);
+    hit.nearest = cell.nearest;
     hit.inwards = wayInwards(around, cell.nearest);
     precise float slopes = abs(slope.x) + abs(slope.y);
     precise vec2 inside = way.from + way.along * hit.at + hit.inwards;
-    precise float metDeep = 0.5f * (cell.nearest + nearnessIn(inside)) - max(cell.here, cell.there);
+    precise float metDeep = 0.5f * (cell.nearest + nearnessIn(inside, cell.nearest)) - max(cell.here, cell.there);
     precise float deep = metDeep - min(slopes, partOf(cell.nearest, 0.01f));
     precise float part = deep * (1.0f + 16.0f * hit.spread) * exactReciprocal(max(thickAt(cell), 1e-18f));
 #ifdef REFRACTED
     const float bent = 0.0f;
 #else
-    precise float bent = (hit.spread - 0.125f) * 1.6f;
+    precise float bent = (hit.spread - 0.5f) * 0.4f;
 #endif
     precise vec2 first = way.from + way.along * hit.at;
     precise vec2 later = way.from + way.along * (t + 2.0f);
     float shown = max(shownAround(first), shownAround(later));
-    precise float counts = (1.0f - easedBetween(part)) * (1.0f - easedBetween(bent)) * shown * widthWeight(around, cell.nearest);
+#ifdef REFRACTED
+    float wide = widthWeight(around, cell.nearest);
+#else
+    // Neighbouring half pixels differ at narrow objects, so these are traced per pixel.
+    const float wide = 1.0f;
+#endif
+    precise float covers = (1.0f - easedBetween(part)) * shown * wide;
+    precise float counts = covers * (1.0f - easedBetween(bent));
+    hit.covers = covers;
     hit.counts = counts;
   }
   return hit;
 }
 
-// Returns the bilinear mean of the four cells of a level around a position (half pixels).
-FUNCTION vec4 litAround(int level, vec2 place) {
-  precise float perCell = intBitsToFloat((127 - level) << 23);
-  precise vec2 at = place * perCell - 0.5f;
-  vec2 low = floor(at);
-  precise vec2 share = at - low;
-  ivec2 first = ivec2(low);
-  vec4 a = litAt(level, first), b = litAt(level, first + ivec2(1, 0));
-  vec4 c = litAt(level, first + ivec2(0, 1)), d = litAt(level, first + 1);
-  precise vec4 above = a + (b - a) * share.x;
-  precise vec4 below = c + (d - c) * share.x;
-  precise vec4 mean = above + (below - above) * share.y;
+// Returns the mean light of the object of nearness `nearest` in the four cells of a level around a position (half
+// pixels).
+FUNCTION vec4 litAround(int level, vec2 place, float nearest) {
+  CellsAround cells = cellsAround(level, place, nearest);
+  vec4 w = cells.weights;
+  precise vec4 mean = (w.x * litAt(level, cells.first) + w.y * litAt(level, cells.first + ivec2(1, 0))) +
+                      (w.z * litAt(level, cells.first + ivec2(0, 1)) + w.w * litAt(level, cells.first + 1));
   return mean;
 }
 
@@ -331,7 +380,7 @@ FUNCTION vec4 litAround(int level, vec2 place) {
 // distance.
 FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   precise vec2 q = way.from + way.along * hit.at;
-  precise vec2 size = 0.5f * vec2(view.size);
+  precise vec2 size = cellsPerPixel_ * vec2(view.size);
   precise vec2 other = size - q;
   precise float inwards = min(min(q.x, q.y), min(other.x, other.y)) * 10.0f * exactReciprocal(size.y);
   precise float there = way.nearness + way.rate * hit.at;
@@ -340,9 +389,9 @@ FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   precise float counts = way.counts * hit.counts * easedBetween(inwards) * (1.0f - easedBetween(part));
   float perAcross = exactInverseSqrt(exactDot(vec3(view.rayAcross), vec3(view.rayAcross)));
 #ifdef PARALLEL
-  precise float wide = roughness * roughness * metres * perAcross;  // width of the lobe in half pixels
+  precise float wide = 2.0f * cellsPerPixel_ * roughness * roughness * metres * perAcross;  // width of the lobe in half pixels
 #else
-  precise float wide = roughness * roughness * metres * perAcross * max(there, 0.0f);
+  precise float wide = 2.0f * cellsPerPixel_ * roughness * roughness * metres * perAcross * max(there, 0.0f);
 #endif
   precise float spread = wide + hit.spread;
   precise float doublings = exactLog(clamp(spread, 1.0f, 32.0f)) * 1.44269504f;
@@ -350,7 +399,28 @@ FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   int level = min(int(held), lastLevel - 1);
   precise float share = held - float(level);
   precise vec2 inside = q + hit.inwards;
-  vec4 fine = litAround(level, inside), coarse = litAround(level + 1, inside);
+  vec4 fine = litAround(level, inside, hit.nearest), coarse = litAround(level + 1, inside, hit.nearest);
   precise vec4 light = (fine + (coarse - fine) * share) * counts;
+  return light;
+}
+
+// Returns the light along a path and its weight. Where an object stops only a part of the ray, the rest goes on to the
+// next object.
+FUNCTION vec4 lightAlong(MirrorWay way, float roughness) {
+  vec4 light = vec4(0.0f);
+  float left = 1.0f, start = 0.0f, passed = 0.0f;
+  for (int k = 0; k < 2; ++k) {
+    if (left < 0.02f) break;
+    MirrorHit hit = followMirrored(way, start, passed);
+    float part = left;
+    for (int i = hit.counts > 0.0f ? 0 : 1; i < 1; ++i) {
+      precise vec4 sum = light + part * lightMirrored(way, hit, roughness);
+      light = sum;
+    }
+    precise float behind = part * (1.0f - hit.covers);
+    left = hit.nearest > 0.0f ? behind : 0.0f;
+    start = hit.at;
+    passed = hit.nearest;
+  }
   return light;
 }

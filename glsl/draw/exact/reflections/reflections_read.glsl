@@ -6,19 +6,31 @@
 #include "draw/exact/reflections/levels.glsl"
 layout(r32f, binding = nearnessImage) readonly restrict uniform imageBuffer nearestLevels;
 layout(rgba32f, binding = litImage) readonly restrict uniform imageBuffer litLevels;
-ivec2 halfSize = (view.size + 1) / 2, room = levelRoom(halfSize);
+#ifdef REFLECTED
+#include "draw/exact/reflections/refined.glsl"
+#else
+const int refined_ = 0;
+#endif
+// Cells of level 0 are half pixels, or pixels if refined_ is 1. Then level 1 is level 0 of the mip pyramids.
+float cellsPerPixel_ = refined_ != 0 ? 1.0f : 0.5f;
+ivec2 halfSize = (view.size + 1) / 2, room = levelRoom(halfSize), cells_ = refined_ != 0 ? view.size : halfSize;
 vec3 facing_ = vec3(0);  // normal of the shaded surface, without bump mapping
 float turns_ = 0.0f;     // angle between the normals of neighbouring half pixels (radians)
 
 float nearestAt(int level, ivec2 at) {
-  ivec2 held = clamp(at, ivec2(0), levelSize(halfSize, level) - 1);
-  float found = imageLoad(nearestLevels, levelPlace(room, level, held)).x;
+  ivec2 held = clamp(at, ivec2(0), levelSize(cells_, level) - 1);
+  int coarser = level - refined_;
+  int place = coarser < 0 ? levelCells(room) + held.y * view.size.x + held.x : levelPlace(room, coarser, held);
+  float found = imageLoad(nearestLevels, place).x;
   return held == at ? found : 0.0f;
 }
 
 vec4 litAt(int level, ivec2 at) {
-  ivec2 held = clamp(at, ivec2(0), levelSize(halfSize, level) - 1);
-  vec4 found = imageLoad(litLevels, levelPlace(room, level, held));
+  ivec2 held = clamp(at, ivec2(0), levelSize(cells_, level) - 1);
+  vec4 found = imageLoad(litLevels, levelPlace(room, max(level - refined_, 0), held));
+#ifdef REFLECTED
+  for (int i = level < refined_ ? 0 : 1; i < 1; ++i) found = nearestAt(0, held) > 0.0f ? imageLoad(litPixels, held) : vec4(0.0f);
+#endif
   return held == at ? found : vec4(0.0f);
 }
 #include "draw/exact/reflections/mirrored_way.glsl"
@@ -31,6 +43,7 @@ vec4 groundMet(MirrorWay way, float ground, float roughness) {
   MirrorHit hit;
   hit.at = way.end;
   hit.counts = 1.0f;
+  hit.nearest = 0.0f;
   hit.inwards = vec2(0.0f);
   hit.spread = spreadAt(way, way.end);
   precise vec2 q = way.from + way.along * way.end;
@@ -47,10 +60,9 @@ vec4 lightMet(vec3 p, vec3 direction, float ground, vec3 towards, float roughnes
   vec4 light = vec4(0.0f);
   MirrorWay way = mirrorWay(p, direction, ground, facing_, towards, turns_, roughness);
   for (int i = way.counts > 0.0f ? 0 : 1; i < 1; ++i) {
-    MirrorHit hit = followMirrored(way);
-    for (int j = hit.counts > 0.0f ? 0 : 1; j < 1; ++j) light = lightMirrored(way, hit, roughness);
+    light = lightAlong(way, roughness);
 #ifdef REFRACTED
-    for (int j = hit.counts > 0.0f ? 1 : 0; j < 1; ++j) light = groundMet(way, ground, roughness);
+    for (int j = light.w > 0.0f ? 1 : 0; j < 1; ++j) light = groundMet(way, ground, roughness);
 #endif
 #ifdef HAZE
     float metres = metresAlong(way, hit.counts > 0.0f ? hit.at : way.end);

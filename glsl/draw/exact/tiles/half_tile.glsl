@@ -1,6 +1,6 @@
 // Half pixels (blocks of 2x2 pixels) of a tile, for values that four pixels have in common. REFLECTED kernels write the
 // change of light to a picture of its own, which draw/exact/reflections/spread.comp adds to the light.
-const int halfPixels = 16;
+#include "draw/exact/reflections/refined.glsl"
 
 // Returns pixel k (0 to 3) of half pixel i.
 ivec2 pixelOfHalf(ivec2 corner, int i, int k) {

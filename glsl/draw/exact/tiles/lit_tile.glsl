@@ -46,11 +46,14 @@ int samplesOfPart(PixelIds shown, int left, uint part) {
 void lightTile(uint firstId, uint numbers) {
   ivec2 corner = tileToShade();
   if (corner.x < 0) return;
-  for (int i = int(gl_LocalInvocationIndex); i < halfPixels; i += 64 / ROWS) {
+  int traced = halfPixelsToTrace(corner);
+  for (int ray = int(gl_LocalInvocationIndex); ray < raysToTrace(traced); ray += 64 / ROWS) {
+    ivec2 item = rayToTrace(traced, ray);
+    int i = item.x;
     ivec4 left = ivec4(0);
     for (int k = 0; k < 4; ++k) {
       ivec2 pixel = pixelOfHalf(corner, i, k);
-      if (inPicture(pixel)) left[k] = samplesOf(idsOf(pixel), firstId, numbers);
+      if (inPicture(pixel) && (item.y >> k & 1) != 0) left[k] = samplesOf(idsOf(pixel), firstId, numbers);
     }
     while ((left.x | left.y | left.z | left.w) != 0) {
       uint minimum = emptyId;

@@ -90,16 +90,19 @@ void main() {
 #ifdef REFLECTED
   // The reflection is computed once for the four pixels of a half pixel. A tile equals a cell of level 2. If that cell
   // is empty, all samples of the tile show the ground.
-  bool clear = nearestAt(2, ivec2(corner.x >> 3, corner.y >> 3)) == 0.0f;
-  for (int i = int(gl_LocalInvocationIndex); i < halfPixels; i += 64 / ROWS) {
+  bool clear = nearestAt(2 + refined_, ivec2(corner.x >> 3, corner.y >> 3)) == 0.0f;
+  int traced = halfPixelsToTrace(corner);
+  for (int ray = int(gl_LocalInvocationIndex); ray < raysToTrace(traced); ray += 64 / ROWS) {
+    ivec2 item = rayToTrace(traced, ray);
+    int i = item.x;
     ivec4 samples = ivec4(0);
     for (int k = 0; k < 4; ++k) {
       ivec2 pixel = pixelOfHalf(corner, i, k);
-      if (inPicture(pixel)) samples[k] = clear ? (1 << SAMPLES) - 1 : 0;
+      if (inPicture(pixel) && (item.y >> k & 1) != 0) samples[k] = clear ? (1 << SAMPLES) - 1 : 0;
     }
     for (int k = clear ? 4 : 0; k < 4; ++k) {
       ivec2 pixel = pixelOfHalf(corner, i, k);
-      if (inPicture(pixel)) samples[k] = samplesOfGround(pixel);
+      if (inPicture(pixel) && (item.y >> k & 1) != 0) samples[k] = samplesOfGround(pixel);
     }
     if ((samples.x | samples.y | samples.z | samples.w) == 0) continue;
     int k = firstOf(samples);

@@ -22,11 +22,14 @@ struct HalfNearness {
     SampleVariant samples;
     SeenVariant seen;
     gl::Flag<"GROUND"> ground;
+    gl::Flag<"PIXELS"> pixels;
   };
   gl::Ambient<"FrameBlock"> frame = {};
   gl::Ambient<"ViewBlock"> view = {};
   SamplesRead samples;
   gl::Out<"NearnessBlock"> nearness;
+  gl::Uniform<"firstPixel", int> firstPixel = {};
+  gl::Out<"PixelNearnessBlock"> pixelNearness = {};
 };
 
 struct Horizons {
@@ -72,9 +75,13 @@ Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground)
   const int rows = rowsAtOnce();
   const bool parallel = visibility.layout().parallel;
   const gl::Defines none;
-  nearest_ = gl::Kernel<HalfNearness>(
-      none,
-      {.samples = visibility.variant(), .seen = {.parallel = parallel, .rows = rows}, .ground = ground});
+  HalfNearness::Variant nearest{.samples = visibility.variant(),
+                                .seen = {.parallel = parallel, .rows = rows},
+                                .ground = ground,
+                                .pixels = false};
+  nearest_ = gl::Kernel<HalfNearness>(none, nearest);
+  nearest.pixels = true;
+  nearestOfPixels_ = gl::Kernel<HalfNearness>(none, nearest);
   horizons_ = gl::Kernel<Horizons>(
       none, {.seen = {.parallel = parallel, .rows = rows}, .slices = slices, .steps = steps});
   across_ = gl::Kernel<SmoothArcs>(none, {.seen = {.parallel = parallel, .rows = rows}, .down = false});
@@ -85,11 +92,19 @@ Occlusion::Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground)
   openness_ = HalfResolutionBuffer("openness", GL_RG32F, sizeof(glm::vec2), half_);
 }
 
-void Occlusion::add(const Visibility& visibility, const shader::ExactView& view) const {
+void Occlusion::add(const Visibility& visibility, const shader::ExactView& view,
+                    const PixelNearness& pixels) const {
   gl::barrier();
   const int rows = (view.rows.y - view.rows.x + 1) / 2;
-  nearest_.dispatch({half_.x, (rows + rowsAtOnce() - 1) / rowsAtOnce()},
-                    {.samples = visibility.read(), .nearness = nearness_.buffer});
+  const glm::ivec2 items(half_.x, (rows + rowsAtOnce() - 1) / rowsAtOnce());
+  HalfNearness given{.samples = visibility.read(), .nearness = nearness_.buffer};
+  if (pixels.buffer == nullptr) {
+    nearest_.dispatch(items, given);
+  } else {
+    given.firstPixel = pixels.first;
+    given.pixelNearness = *pixels.buffer;
+    nearestOfPixels_.dispatch(items, given);
+  }
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 

@@ -30,9 +30,15 @@ class Occlusion {
   Occlusion(glm::ivec2 size, const Visibility& visibility, bool ground);
 
   [[nodiscard]] bool on() const { return static_cast<bool>(horizons_); }
+  /// Nearness of the nearest object in each pixel of the picture, without the ground, row by row from
+  /// element `first` of the buffer.
+  struct PixelNearness {
+    const gl::Buffer* buffer = nullptr;
+    int first = 0;
+  };
   /// Stores the nearness of a band's visible samples and ground. The uniform blocks of frame and view must
-  /// be bound.
-  void add(const Visibility& visibility, const shader::ExactView& view) const;
+  /// be bound. `pixels`: also receives the nearness of the band's pixels, unless its buffer is null.
+  void add(const Visibility& visibility, const shader::ExactView& view, const PixelNearness& pixels) const;
   /// Computes the occlusion after all bands have been added. `radius`: max distance of occluders (m).
   void find(const shader::ExactView& view, float radius) const;
   /// Returns two values per half-resolution pixel, row by row: openness and nearness.
@@ -54,7 +60,7 @@ class Occlusion {
     gl::Texture view;
   };
   glm::ivec2 half_{0};
-  gl::Kernel<HalfNearness> nearest_;
+  gl::Kernel<HalfNearness> nearest_, nearestOfPixels_;
   gl::Kernel<Horizons> horizons_;
   gl::Kernel<SmoothArcs> across_, down_;
   HalfResolutionBuffer nearness_, arcs_, smooth_, openness_;

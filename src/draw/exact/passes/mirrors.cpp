@@ -49,15 +49,38 @@ class ReflectedPass final : public FramePass {
  public:
   using FramePass::FramePass;
   [[nodiscard]] bool on() const override { return f.mirrors; }
-  void run() override {
-    f.selectLayer(shownReflections);
-    f.shadeThings(f.reflected->changes());
-    f.selectLayer(0);
-    if (groundMirrors(f))
-      for (int i = 0; i < (f.shadow.on() ? 2 : 1); ++i)
-        f.shadeGround(i, {.shade = showing(f.lit(), shownReflections, true).shade, .shadowed = false},
-                      f.reflected->changes());
+  void run() override { trace(f); }
+  static void trace(ExactFrame& frame) {
+    frame.selectLayer(shownReflections);
+    frame.shadeThings(frame.reflected->changes());
+    frame.selectLayer(0);
+    if (groundMirrors(frame))
+      for (int i = 0; i < (frame.shadow.on() ? 2 : 1); ++i)
+        frame.shadeGround(i,
+                          {.shade = showing(frame.lit(), shownReflections, true).shade, .shadowed = false},
+                          frame.reflected->changes());
     gl::barrier();
+  }
+};
+
+/// Finds where the reflections of neighbouring pixels differ.
+class UnevenPass final : public FramePass {
+ public:
+  using FramePass::FramePass;
+  [[nodiscard]] bool on() const override { return f.mirrors; }
+  void run() override { f.reflected->findUneven(f.light); }
+};
+
+/// Computes the change of the band's light again for each pixel where the reflections of neighbouring
+/// pixels differ.
+class RefinedPass final : public FramePass {
+ public:
+  using FramePass::FramePass;
+  [[nodiscard]] bool on() const override { return f.mirrors; }
+  void run() override {
+    f.refining = true;
+    ReflectedPass::trace(f);
+    f.refining = false;
   }
 };
 
@@ -76,6 +99,12 @@ std::unique_ptr<Pass> makeMirrors(ExactFrame& frame) {
 }
 std::unique_ptr<Pass> makeMirrored(ExactFrame& frame) {
   return std::make_unique<MirroredPass>(frame);
+}
+std::unique_ptr<Pass> makeUneven(ExactFrame& frame) {
+  return std::make_unique<UnevenPass>(frame);
+}
+std::unique_ptr<Pass> makeRefined(ExactFrame& frame) {
+  return std::make_unique<RefinedPass>(frame);
 }
 std::unique_ptr<Pass> makeSpread(ExactFrame& frame) {
   return std::make_unique<SpreadPass>(frame);

@@ -10,7 +10,10 @@ class NearnessPass final : public FramePass {
  public:
   using FramePass::FramePass;
   [[nodiscard]] bool on() const override { return f.occlusion.on(); }
-  void run() override { f.occlusion.add(f.visibility, f.values); }
+  void run() override {
+    f.occlusion.add(f.visibility, f.values,
+                    f.mirrors ? f.reflections->pixelNearness() : Occlusion::PixelNearness());
+  }
 };
 
 /// Computes ambient occlusion. Needs the whole view because occluders may be in another band.

@@ -1,6 +1,7 @@
 #include "draw/exact/reflections/reflections.hpp"
 
 #include "base/error.hpp"
+#include "draw/exact/tiles/shaded_tiles.hpp"
 #include "draw/rows_at_once.hpp"
 #include "gl/element_array.hpp"
 #include "gl/limits.hpp"
@@ -31,6 +32,21 @@ struct LevelKernel {
   gl::Out<"NearestBlock"> nearest;
 };
 
+struct UnevenKernel {
+  static constexpr auto file = "draw/exact/reflections/uneven.comp";
+  struct Variant {
+    gl::Range<"ROWS", 1, 8> rows;
+    gl::Flag<"CLEAR"> clear;
+  };
+  gl::Ambient<"FrameBlock"> frame = {};
+  gl::Uniform<"size", glm::ivec2> size;
+  gl::In<"changes"> changes = {};
+  gl::In<"sums"> light = {};
+  gl::In<"unevenTiles"> uneven = {};
+  gl::Out<"UnevenBlock"> masks = {};
+  gl::Out<"cleared"> cleared = {};
+};
+
 struct SpreadKernel {
   static constexpr auto file = "draw/exact/reflections/spread.comp";
   struct Variant {
@@ -52,10 +68,11 @@ using namespace simreel::shader;  // NOLINT: the file is written in GLSL's names
 
 }  // namespace levels
 
-/// Returns the number of texels of all levels, including the gaps between levels.
-std::size_t cellsOf(glm::ivec2 size) {
+/// Returns the number of texels of all levels, including the gaps between levels, plus `more`.
+std::size_t cellsOf(glm::ivec2 size, std::size_t more) {
   const glm::ivec2 room = levels::levelRoom(size);
-  const std::size_t cells = static_cast<std::size_t>(room.x) * static_cast<std::size_t>(room.y) / 2 * 3;
+  const std::size_t cells =
+      static_cast<std::size_t>(room.x) * static_cast<std::size_t>(room.y) / 2 * 3 + more;
   const auto maximum = static_cast<std::size_t>(gl::limits().texelBufferTexels);
   if (cells > maximum)
     fail(
@@ -66,20 +83,30 @@ std::size_t cellsOf(glm::ivec2 size) {
   return cells;
 }
 
+glm::ivec2 tilesOf(glm::ivec2 size) {
+  return (size + ShadedTiles::side - 1) / ShadedTiles::side;
+}
+
 }  // namespace
 
-Reflections::Levels::Levels(const char* label, GLenum format, std::size_t bytes, glm::ivec2 half)
-    : buffer(label, cellsOf(half) * bytes), view(gl::Texture::view(label, format, buffer, bytes)) {}
+Reflections::Levels::Levels(const char* label, GLenum format, std::size_t bytes, glm::ivec2 half,
+                            std::size_t more)
+    : buffer(label, cellsOf(half, more) * bytes), view(gl::Texture::view(label, format, buffer, bytes)) {}
 
 Reflections::Reflections(glm::ivec2 size, bool ground, bool parallel)
     : size_(size),
-      light_("light that is mirrored", GL_RGBA32F, sizeof(glm::vec4), (size + 1) / 2),
-      nearest_("nearness, in levels", GL_R32F, sizeof(float), (size + 1) / 2) {
+      light_("light that is mirrored", GL_RGBA32F, sizeof(glm::vec4), (size + 1) / 2, 0),
+      nearest_("nearness, in levels", GL_R32F, sizeof(float), (size + 1) / 2,
+               static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)) {
   const gl::Defines none;
   next_ = gl::Kernel<LevelKernel>(
       none, {.rows = rowsAtOnce(), .first = false, .ground = false, .parallel = false});
   first_ = gl::Kernel<LevelKernel>(
       none, {.rows = rowsAtOnce(), .first = true, .ground = ground, .parallel = parallel});
+}
+
+Occlusion::PixelNearness Reflections::pixelNearness() const {
+  return {&nearest_.buffer, levels::levelCells(levels::levelRoom((size_ + 1) / 2))};
 }
 
 void Reflections::see(const gl::Texture& light, const gl::Texture& nearness) const {
@@ -102,10 +129,26 @@ ReflectedChanges::ReflectedChanges(glm::ivec2 size)
     : changes_(gl::Texture::image("change of light by reflections", GL_RGBA32F, size.x, size.y)) {
   const gl::Defines none;
   kernel_ = gl::Kernel<SpreadKernel>(none, {.rows = rowsAtOnce()});
+  find_ = gl::Kernel<UnevenKernel>(none, {.rows = rowsAtOnce(), .clear = false});
+  clear_ = gl::Kernel<UnevenKernel>(none, {.rows = rowsAtOnce(), .clear = true});
+  const glm::ivec2 tiles = tilesOf(size);
+  masks_ = gl::Buffer("uneven half pixels", static_cast<std::size_t>(tiles.x) *
+                                                static_cast<std::size_t>(tiles.y) * sizeof(GLuint));
+  uneven_ = gl::Texture::view("uneven half pixels", GL_R32UI, masks_, sizeof(GLuint));
 }
 
 void ReflectedChanges::clear() const {
   glClearTexImage(changes_.name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+}
+
+void ReflectedChanges::findUneven(const gl::Texture& light) const {
+  const glm::ivec2 size(changes_.width(), changes_.height());
+  const glm::ivec2 tiles = tilesOf(size);
+  const glm::ivec2 items(tiles.x, (tiles.y + rowsAtOnce() - 1) / rowsAtOnce());
+  gl::barrier();
+  find_.dispatch(items, {.size = size, .changes = changes_, .light = light, .masks = masks_});
+  clear_.dispatch(items, {.size = size, .uneven = uneven_, .cleared = changes_});
+  gl::barrier();
 }
 
 void ReflectedChanges::spread(const gl::Texture& light) const {

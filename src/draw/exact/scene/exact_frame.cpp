@@ -105,6 +105,9 @@ SceneLight ExactFrame::sceneLight(const gl::Texture& into) const {
                  .nearestLevels = {},
                  .litLevels = {},
                  .mirrorReach = Reflections::reachOf(away()),
+                 .litPixels = {},
+                 .unevenTiles = {},
+                 .refined = refining ? 1 : 0,
                  .layersLeave = transparent.leave(),
                  .through = {},
                  .spots = {},
@@ -115,6 +118,8 @@ SceneLight ExactFrame::sceneLight(const gl::Texture& into) const {
   if (occlusion.on()) all.openness = occlusion.openness();
   if (reflections) all.nearestLevels = reflections->nearest();
   if (reflections) all.litLevels = reflections->light();
+  if (reflected) all.unevenTiles = reflected->uneven();
+  all.litPixels = light;
   if (rays) all.spots = rays->spots();
   return all;
 }

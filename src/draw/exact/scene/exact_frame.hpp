@@ -115,9 +115,10 @@ struct ExactFrame {
   sim::Drawables drawables;  ///< the moment's objects, plus the glows of lamps, without cut-out, blended
                              ///< and clear surfaces
   View seen;
-  bool joins = false;    ///< true if the surfaces are joined into one mesh
-  bool mirrors = false;  ///< true if any object reflects the scene
-  float white = 1;       ///< light that the picture shows as white
+  bool joins = false;     ///< true if the surfaces are joined into one mesh
+  bool mirrors = false;   ///< true if any object reflects the scene
+  bool refining = false;  ///< true while reflections of single pixels are traced
+  float white = 1;        ///< light that the picture shows as white
 
   // The following members are the state of one view. A lens has one view per lens point.
   int views = 1;   ///< number of views of the picture

@@ -260,7 +260,7 @@ TEST_CASE("reflections: a flat mirror, a lone ball and what is far away or matt 
   CHECK(share(0) < 0.9F);
 }
 
-TEST_CASE("exact: reflections are the twin's, bit for bit") {
+TEST_CASE("exact: reflections of half pixels and of pixels are the twin's, bit for bit") {
   testContext();
   for (const glm::ivec2 size : {glm::ivec2(75, 61), {33, 18}, {97, 3}, {1, 1}, {128, 64}}) {
     CAPTURE(size.x);
@@ -275,6 +275,8 @@ TEST_CASE("exact: reflections are the twin's, bit for bit") {
     std::vector<glm::vec4> light;
     std::vector<glm::vec4> rays;
     std::vector<glm::vec4> wanted;
+    std::vector<glm::vec4> wantedOfPixels;
+    std::vector<float> pixelNearness;
     for (int y = 0; y < twin.half().y; ++y)
       for (int x = 0; x < twin.half().x; ++x) {
         const double depth = seen(eye, mirrorRayThrough(view, {2 * x + 1, 2 * y + 1})).depth;
@@ -283,11 +285,15 @@ TEST_CASE("exact: reflections are the twin's, bit for bit") {
       }
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
-        const float there = seen(eye, mirrorRayThrough(view, {x + 0.5, y + 0.5})).depth > 0 ? 1.0F : 0.0F;
+        const double depth = seen(eye, mirrorRayThrough(view, {x + 0.5, y + 0.5})).depth;
+        const float there = depth > 0 ? 1.0F : 0.0F;
+        pixelNearness.push_back(depth > 0 ? static_cast<float>(1 / depth) : 0.0F);
         light.push_back(there *
                         glm::vec4(0.01F * static_cast<float>(x), 0.3F, 0.02F * static_cast<float>(y), 1));
       }
     twin.see(nearness, light);
+    ReflectionsTwin refined = twin;
+    refined.refine(pixelNearness);
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
         const glm::dvec3 through = mirrorRayThrough(view, {x + 0.5, y + 0.5});
@@ -304,6 +310,7 @@ TEST_CASE("exact: reflections are the twin's, bit for bit") {
         rays.emplace_back(ray.facing, ray.ground);
         rays.emplace_back(ray.towards, 0);
         wanted.push_back(twin.lightMet(ray));
+        wantedOfPixels.push_back(refined.lightMet(ray));
       }
     const gl::Buffer nearBuffer = gl::Buffer::of<float>("nearness", nearness);
     const gl::Texture nearView = gl::Texture::view("nearness", GL_R32F, nearBuffer, sizeof(float));
@@ -311,6 +318,12 @@ TEST_CASE("exact: reflections are the twin's, bit for bit") {
     glTextureSubImage2D(sums.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, light.data());
     const draw::Reflections reflections(size);
     reflections.see(sums, nearView);
+    const draw::Occlusion::PixelNearness pixels = reflections.pixelNearness();
+    gl::barrier();
+    glNamedBufferSubData(pixels.buffer->name(), static_cast<GLintptr>(sizeof(float)) * pixels.first,
+                         static_cast<GLsizeiptr>(sizeof(float) * pixelNearness.size()),
+                         pixelNearness.data());
+    sums.bindImage(draw::lightImage, GL_READ_ONLY);
     reflections.light().bindImage(draw::litImage, GL_READ_ONLY);
     reflections.nearest().bindImage(draw::nearnessImage, GL_READ_ONLY);
     const gl::Buffer block = gl::Buffer::of<shader::ExactView>("view", std::vector{view});
@@ -338,12 +351,17 @@ void main() {
     found.bindStorage(2);
     kernel.set("mirrorReach", twin.reach);
     kernel.set("count", static_cast<int>(wanted.size()));
-    kernel.dispatch(static_cast<int>(wanted.size()));
-    gl::barrier();
-    testContext().check();
-    CHECK(found.readAll<glm::vec4>() == wanted);
-    int met = 0;
-    for (const glm::vec4& one : wanted) met += one.w > 0.1F ? 1 : 0;
-    if (size.x > 60 && size.y > 30) CHECK(met > 100);
+    for (const bool ofPixels : {false, true}) {
+      CAPTURE(ofPixels);
+      const std::vector<glm::vec4>& all = ofPixels ? wantedOfPixels : wanted;
+      kernel.set("refined", ofPixels ? 1 : 0);
+      kernel.dispatch(static_cast<int>(all.size()));
+      gl::barrier();
+      testContext().check();
+      CHECK(found.readAll<glm::vec4>() == all);
+      int met = 0;
+      for (const glm::vec4& one : all) met += one.w > 0.1F ? 1 : 0;
+      if (size.x > 60 && size.y > 30) CHECK(met > 100);
+    }
   }
 }
