@@ -29,9 +29,10 @@ std::string quoted(const std::string& text) {
 
 /// Returns the shortest text that reads back as the same number.
 std::string numberText(double value) {
+  if (value == 0 && std::signbit(value)) return "-0.0";  // "-0" reads back as the whole number 0
   // Whole numbers below 2^53 are written without a fraction.
   constexpr double exact = 9007199254740992.0;
-  if (value == std::floor(value) && std::abs(value) < exact && !(value == 0 && std::signbit(value)))
+  if (value == std::floor(value) && std::abs(value) < exact)
     return fmt::format("{}", static_cast<long long>(value));
   return fmt::format("{}", value);
 }

@@ -12,7 +12,8 @@
 
 #include <doctest/doctest.h>
 
-using namespace simreel;
+namespace simreel::test::lamps_draw {
+
 using Shape = sim::Instances::Shape;
 
 namespace {
@@ -375,3 +376,5 @@ TEST_CASE("lights: scenes without lights compile no light code, and too many lig
     CHECK(std::string(error.what()).find("GL_MAX_TEXTURE_SIZE") != std::string::npos);
   }
 }
+
+}  // namespace simreel::test::lamps_draw

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace simreel;
+namespace simreel::test::epidemic_sim {
 
 namespace {
 
@@ -222,3 +222,5 @@ TEST_CASE("epidemic: the final size of a mixed population is the mean-field limi
   for (int k = 0; k < 200; ++k) limit = rows[0].x / people * std::exp(-r0 * (1 - limit));
   CHECK(std::abs(got - limit) < 4 * deviation + 0.002);
 }
+
+}  // namespace simreel::test::epidemic_sim

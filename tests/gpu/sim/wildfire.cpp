@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace simreel;
+namespace simreel::test::wildfire_sim {
 
 namespace {
 
@@ -343,3 +343,5 @@ TEST_CASE("wildfire: a map without fuel is refused") {
   CHECK_THROWS_WITH_AS(spread::make(sim::wildfireKind(), p),
                        doctest::Contains("nothing on the wildfire's map"), UserError);
 }
+
+}  // namespace simreel::test::wildfire_sim
