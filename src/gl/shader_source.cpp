@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "gl/context.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -134,6 +135,12 @@ ShaderSource headed(ShaderSource source, const Defines& defines) {
     if (name == extensionDefine) head += fmt::format("#extension {} : require\n", value);
   // Macros for files that are also compiled as C++ (glsl/common/cpp.hpp).
   head += "#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
+  // A branch. Software drivers execute both sides of a branch, but skip a loop. NVIDIA's compiler takes up
+  // to a minute for a kernel whose branches are loops.
+  if (mentions(source.text, "WHEN"))
+    head += softwareDriver()
+                ? "#define WHEN(condition) for (int when_ = (condition) ? 0 : 1; when_ < 1; ++when_)\n"
+                : "#define WHEN(condition) if (condition)\n";
   for (const auto& [name, value] : mentioned(source.text, defines))
     head += fmt::format("#define {} {}\n", name, value);
   source.text.insert(0, head);

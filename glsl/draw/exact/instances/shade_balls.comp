@@ -100,7 +100,7 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   precise float turn = wide * exactReciprocal(along);
   turns_ = turn;
   vec3 change = vec3(0.0f);
-  for (int i = small ? 1 : 0; i < 1; ++i) change = allLight(look, lit, firstNormal, towards, fraction);
+  WHEN(!small) change = allLight(look, lit, firstNormal, towards, fraction);
 #ifdef HAZE
   change = throughHaze(change, 0.0f, lit);
 #endif

@@ -43,7 +43,7 @@ float nearnessOf(ivec2 at) {
     float shown = nearOfKey(keys[k]);
     precise vec2 middle = vec2(pixel) + 0.5f;
 #ifdef GROUND
-    for (int i = shown > 0.0f ? 0 : 1; i < 1; ++i) shown = shown > groundNearnessAt(middle) ? shown : 0.0f;
+    WHEN(shown > 0.0f) shown = shown > groundNearnessAt(middle) ? shown : 0.0f;
 #endif
     pixelNearness[firstPixel + pixel.y * view.size.x + pixel.x] = nearnessPerMetre(shown);
   }

@@ -25,10 +25,8 @@ void main() {
     ivec2 at = first + ivec2(0, row);
     if (at.x >= halfSize.x || at.y >= halfSize.y) continue;
     float here = nearnessAt(at);
-    // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a
-    // branch.
     Arcs found = Arcs(0.0f, 0.0f);
-    for (int i = here > 0.0f ? 0 : 1; i < 1; ++i) found = arcsOf(halfPlaceOf(at, here));
+    WHEN(here > 0.0f) found = arcsOf(halfPlaceOf(at, here));
     arcs[at.y * halfSize.x + at.x] = vec2(found.lost, found.all_);
   }
 }

@@ -33,8 +33,7 @@ void smoothAtOnce(ivec2 first) {
     nearest = max(nearest, seen[i + 3].z);
     sums[i] = vec2(0.0f, 1.0f);
   }
-  // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a branch.
-  for (int once_ = nearest > 0.0f ? 0 : 1; once_ < 1; ++once_)
+  WHEN(nearest > 0.0f)
     for (int i = 0; i < atOnce; ++i) {
       ArcsBeside beside;
       for (int k = 0; k < 7; ++k) beside.of[k] = seen[i + k];

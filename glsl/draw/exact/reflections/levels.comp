@@ -70,9 +70,7 @@ void main() {
 #endif
     nearest[place] = near;
     precise vec4 mean = vec4(0.0f);
-    // Uses a loop of at most one iteration instead of a branch, because software drivers execute both sides of a
-    // branch.
-    for (int i = near > 0.0f ? 0 : 1; i < 1; ++i) {
+    WHEN(near > 0.0f) {
 #ifdef FIRST
       ivec2 inside = insideEdge(vec4(objectNear(at - ivec2(1, 0)), objectNear(at + ivec2(1, 0)), objectNear(at - ivec2(0, 1)),
                                      objectNear(at + ivec2(0, 1))), near);

@@ -52,6 +52,9 @@ struct MirrorWay {
   float turns;     // angle between the mirror's normals at neighbouring half pixels (radians)
   float end;       // length of the path in half pixels
   float counts;    // weight of the reflection; 0 if there is no path
+#ifdef HAZE
+  vec3 p, direction;  // start and unit direction of the ray
+#endif
 };
 
 struct MirrorHit {
@@ -144,6 +147,10 @@ FUNCTION MirrorWay mirrorWay(vec3 p, vec3 direction, float ground, vec3 facing, 
   way.turns = turns;
   way.end = min(border, reach);
   way.counts = leaves ? counts : 0.0f;
+#ifdef HAZE
+  way.p = p;
+  way.direction = direction;
+#endif
   return way;
 }
 
@@ -330,7 +337,7 @@ FUNCTION MirrorHit followMirrored(MirrorWay way, float start, float passed) {
   hit.covers = 0.0f;
   hit.nearest = 0.0f;
   hit.inwards = vec2(0.0f);
-  for (int i = met ? 0 : 1; i < 1; ++i) {
+  WHEN(met) {
     MirrorCell cell = mirrorCell(way, beyond, perWay, t, 0);
     vec4 around = nearnessAround(cell.at);
     vec2 slope = slopesAt(around, cell.nearest);
@@ -401,6 +408,9 @@ FUNCTION vec4 lightMirrored(MirrorWay way, MirrorHit hit, float roughness) {
   precise vec2 inside = q + hit.inwards;
   vec4 fine = litAround(level, inside, hit.nearest), coarse = litAround(level + 1, inside, hit.nearest);
   precise vec4 light = (fine + (coarse - fine) * share) * counts;
+#ifdef HAZE
+  light = pictureThroughHaze(light, way.p, way.direction, metres);
+#endif
   return light;
 }
 
@@ -413,7 +423,7 @@ FUNCTION vec4 lightAlong(MirrorWay way, float roughness) {
     if (left < 0.02f) break;
     MirrorHit hit = followMirrored(way, start, passed);
     float part = left;
-    for (int i = hit.counts > 0.0f ? 0 : 1; i < 1; ++i) {
+    WHEN(hit.counts > 0.0f) {
       precise vec4 sum = light + part * lightMirrored(way, hit, roughness);
       light = sum;
     }

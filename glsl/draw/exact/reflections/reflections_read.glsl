@@ -29,12 +29,12 @@ vec4 litAt(int level, ivec2 at) {
   ivec2 held = clamp(at, ivec2(0), levelSize(cells_, level) - 1);
   vec4 found = imageLoad(litLevels, levelPlace(room, max(level - refined_, 0), held));
 #ifdef REFLECTED
-  for (int i = level < refined_ ? 0 : 1; i < 1; ++i) found = nearestAt(0, held) > 0.0f ? imageLoad(litPixels, held) : vec4(0.0f);
+  WHEN(level < refined_) found = nearestAt(0, held) > 0.0f ? imageLoad(litPixels, held) : vec4(0.0f);
 #endif
   return held == at ? found : vec4(0.0f);
 }
-#include "draw/exact/reflections/mirrored_way.glsl"
 #include "draw/exact/haze.glsl"
+#include "draw/exact/reflections/mirrored_way.glsl"
 
 #ifdef REFRACTED
 // Returns the light and weight of the ground at the end of the path, if the picture shows the ground there, away from objects that
@@ -55,18 +55,14 @@ vec4 groundMet(MirrorWay way, float ground, float roughness) {
 #endif
 
 // Returns the reflected light and its weight. `ground`: distance (m) at which the ray hits the ground, or -1 if it does
-// not. The loops of at most one iteration replace branches, because software drivers execute both sides of a branch.
+// not.
 vec4 lightMet(vec3 p, vec3 direction, float ground, vec3 towards, float roughness) {
   vec4 light = vec4(0.0f);
   MirrorWay way = mirrorWay(p, direction, ground, facing_, towards, turns_, roughness);
-  for (int i = way.counts > 0.0f ? 0 : 1; i < 1; ++i) {
+  WHEN(way.counts > 0.0f) {
     light = lightAlong(way, roughness);
 #ifdef REFRACTED
-    for (int j = light.w > 0.0f ? 1 : 0; j < 1; ++j) light = groundMet(way, ground, roughness);
-#endif
-#ifdef HAZE
-    float metres = metresAlong(way, hit.counts > 0.0f ? hit.at : way.end);
-    for (int j = light.w > 0.0f ? 0 : 1; j < 1; ++j) light = pictureThroughHaze(light, p, direction, metres);
+    WHEN(light.w <= 0.0f) light = groundMet(way, ground, roughness);
 #endif
   }
   return light;

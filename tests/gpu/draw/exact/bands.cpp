@@ -142,6 +142,7 @@ TEST_CASE("exact: a picture's stages are those of the list of passes, in its ord
         "shadow; visibility; occlusion; visibility; occlusion; "
         "visibility; surfaces; visibility; surfaces; reflections; "
         "visibility; surfaces; reflections; visibility; surfaces; reflections; "
+        "visibility; surfaces; reflections; visibility; surfaces; reflections; "
         "visibility; surfaces; instances; visibility; surfaces; instances; "
         "bloom; tone map; ");
 }

@@ -26,6 +26,7 @@ inline simreel::shader::Frame writtenFrame() {
   frame.rayForward = glm::vec4(0, 0, -1, 0);
   frame.rayRight = glm::vec4(1 / 0.9F, 0, 0, 0);
   frame.rayUp = glm::vec4(0, 0.625F, 0, 0);
+  frame.groundReach = 1;  // The sun's map covers all objects if the ground is visible.
   frame.sunDirection = glm::vec4(0.48F, 0.6F, 0.64F, 0);
   frame.lightRight = glm::vec4(0.8F, 0, -0.6F, 0);
   frame.lightUp = glm::vec4(-0.36F, 0.8F, -0.48F, 0);
