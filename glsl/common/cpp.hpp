@@ -5,7 +5,6 @@
 //   FUNCTION vec3 f(vec3 v)       expands to what the including file defines, usually `inline`
 //   struct STD140 Name { ... };   starts and ends at multiples of 16 bytes, as in a uniform block
 //   float mass DEFAULT(1.0f);     default value of a member if the scene does not set it
-//   WHEN(x > 0.0f) y = f(x);      a branch that software drivers skip if no lane takes it
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -17,7 +16,6 @@
 
 #define STD140 alignas(16)
 #define DEFAULT(value) = value
-#define WHEN(condition) if (condition)
 
 namespace simreel::shader {
 

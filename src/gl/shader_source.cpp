@@ -137,10 +137,10 @@ ShaderSource headed(ShaderSource source, const Defines& defines) {
   head += "#define FUNCTION\n#define STD140\n#define DEFAULT(value)\n";
   // A branch. Software drivers execute both sides of a branch, but skip a loop. NVIDIA's compiler takes up
   // to a minute for a kernel whose branches are loops.
-  if (mentions(source.text, "WHEN"))
+  if (mentions(source.text, "IF_ANY"))
     head += softwareDriver()
-                ? "#define WHEN(condition) for (int when_ = (condition) ? 0 : 1; when_ < 1; ++when_)\n"
-                : "#define WHEN(condition) if (condition)\n";
+                ? "#define IF_ANY(condition) for (int if_ = (condition) ? 0 : 1; if_ < 1; ++if_)\n"
+                : "#define IF_ANY(condition) if (condition)\n";
   for (const auto& [name, value] : mentioned(source.text, defines))
     head += fmt::format("#define {} {}\n", name, value);
   source.text.insert(0, head);

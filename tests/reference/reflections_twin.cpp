@@ -9,6 +9,7 @@ namespace {
 using namespace simreel::shader;  // NOLINT: the model uses GLSL's names
 
 #define FUNCTION inline
+#define IF_ANY(condition) if (condition)
 #define precise
 #define EXACT_PICTURE
 #define MIRROR_TWIN

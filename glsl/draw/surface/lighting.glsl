@@ -74,7 +74,7 @@ FUNCTION vec3 surfaceLight(Look look, Shares shares, vec3 p, vec3 normal, vec3 v
   light = light + look.openness * shares.mirrored * around;
 #ifdef GROUND_BELOW
   GroundMirrored below = groundMirrored(p, direction, look.roughness, look.openness);
-  WHEN(below.counts > 0.0f)
+  IF_ANY(below.counts > 0.0f)
     light = light + below.counts * shares.mirrored * (groundInSun(below, direction) - look.openness * around);
 #endif
 #else
@@ -102,7 +102,7 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
 #else
   const float ground = -1.0f;
 #endif
-  WHEN(smooth_) met = lightMet(p, direction, ground, view, look.roughness);
+  IF_ANY(smooth_) met = lightMet(p, direction, ground, view, look.roughness);
 #ifdef GROUND_BELOW
   GroundMirrored below = groundMirrored(p, direction, look.roughness, look.openness);
 #endif
@@ -111,7 +111,7 @@ FUNCTION vec3 reflectedChange(Look look, vec3 p, vec3 normal, vec3 view) {
 #else
   bool changes = met.w > 0.0f;
 #endif
-  WHEN(changes) {
+  IF_ANY(changes) {
     ROUNDED vec3 around = look.openness * skyMirrored(direction, look.roughness), more = vec3(0.0f);
 #ifdef GROUND_BELOW
 #ifdef LAMPS

@@ -100,7 +100,7 @@ vec4 lightOf(ivec2 pixel, uint slot, int sampleAt) {
   precise float turn = wide * exactReciprocal(along);
   turns_ = turn;
   vec3 change = vec3(0.0f);
-  WHEN(!small) change = allLight(look, lit, firstNormal, towards, fraction);
+  IF_ANY(!small) change = allLight(look, lit, firstNormal, towards, fraction);
 #ifdef HAZE
   change = throughHaze(change, 0.0f, lit);
 #endif

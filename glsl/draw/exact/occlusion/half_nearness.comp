@@ -43,7 +43,7 @@ float nearnessOf(ivec2 at) {
     float shown = nearOfKey(keys[k]);
     precise vec2 middle = vec2(pixel) + 0.5f;
 #ifdef GROUND
-    WHEN(shown > 0.0f) shown = shown > groundNearnessAt(middle) ? shown : 0.0f;
+    IF_ANY(shown > 0.0f) shown = shown > groundNearnessAt(middle) ? shown : 0.0f;
 #endif
     pixelNearness[firstPixel + pixel.y * view.size.x + pixel.x] = nearnessPerMetre(shown);
   }

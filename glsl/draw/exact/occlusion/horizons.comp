@@ -26,7 +26,7 @@ void main() {
     if (at.x >= halfSize.x || at.y >= halfSize.y) continue;
     float here = nearnessAt(at);
     Arcs found = Arcs(0.0f, 0.0f);
-    WHEN(here > 0.0f) found = arcsOf(halfPlaceOf(at, here));
+    IF_ANY(here > 0.0f) found = arcsOf(halfPlaceOf(at, here));
     arcs[at.y * halfSize.x + at.x] = vec2(found.lost, found.all_);
   }
 }

@@ -33,7 +33,7 @@ void smoothAtOnce(ivec2 first) {
     nearest = max(nearest, seen[i + 3].z);
     sums[i] = vec2(0.0f, 1.0f);
   }
-  WHEN(nearest > 0.0f)
+  IF_ANY(nearest > 0.0f)
     for (int i = 0; i < atOnce; ++i) {
       ArcsBeside beside;
       for (int k = 0; k < 7; ++k) beside.of[k] = seen[i + k];

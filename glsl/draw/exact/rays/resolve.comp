@@ -23,7 +23,7 @@ void main() {
   // Light is compressed if the pixel's coverage is negative (edge_light.glsl). The emission was compressed before.
   bool compressed = linear == 0 && sum.a < 0.0f;
   float before = 0.0f;
-  WHEN(compressed) {
+  IF_ANY(compressed) {
     precise vec3 emitted = evenedLight(sum, frame.exposure).rgb * exactReciprocal(max(-sum.a, 1e-6f));
     before = brightnessOf(emitted, frame.exposure);
   }

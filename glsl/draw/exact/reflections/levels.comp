@@ -70,7 +70,7 @@ void main() {
 #endif
     nearest[place] = near;
     precise vec4 mean = vec4(0.0f);
-    WHEN(near > 0.0f) {
+    IF_ANY(near > 0.0f) {
 #ifdef FIRST
       ivec2 inside = insideEdge(vec4(objectNear(at - ivec2(1, 0)), objectNear(at + ivec2(1, 0)), objectNear(at - ivec2(0, 1)),
                                      objectNear(at + ivec2(0, 1))), near);

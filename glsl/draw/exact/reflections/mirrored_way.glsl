@@ -337,7 +337,7 @@ FUNCTION MirrorHit followMirrored(MirrorWay way, float start, float passed) {
   hit.covers = 0.0f;
   hit.nearest = 0.0f;
   hit.inwards = vec2(0.0f);
-  WHEN(met) {
+  IF_ANY(met) {
     MirrorCell cell = mirrorCell(way, beyond, perWay, t, 0);
     vec4 around = nearnessAround(cell.at);
     vec2 slope = slopesAt(around, cell.nearest);
@@ -423,7 +423,7 @@ FUNCTION vec4 lightAlong(MirrorWay way, float roughness) {
     if (left < 0.02f) break;
     MirrorHit hit = followMirrored(way, start, passed);
     float part = left;
-    WHEN(hit.counts > 0.0f) {
+    IF_ANY(hit.counts > 0.0f) {
       precise vec4 sum = light + part * lightMirrored(way, hit, roughness);
       light = sum;
     }

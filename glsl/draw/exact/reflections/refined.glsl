@@ -12,7 +12,7 @@ int refined_ = once(refined);
 // Returns the mask of the half pixels of a tile for which rays are traced.
 int halfPixelsToTrace(ivec2 corner) {
   int across = (view.size.x + 7) >> 3, uneven = 0xffff;
-  WHEN(refined_ != 0)
+  IF_ANY(refined_ != 0)
     uneven = int(imageLoad(unevenTiles, (corner.y >> 3) * across + (corner.x >> 3)).x);
   return uneven;
 }
@@ -26,7 +26,7 @@ int raysToTrace(int halfPixels_) {
 // show the reflection (y).
 ivec2 rayToTrace(int halfPixels_, int i) {
   ivec2 found = ivec2(i, 15);
-  WHEN(refined_ != 0) {
+  IF_ANY(refined_ != 0) {
     for (int k = i >> 2; k > 0; --k) halfPixels_ &= halfPixels_ - 1;
     found = ivec2(findLSB(halfPixels_), 1 << (i & 3));
   }

@@ -29,7 +29,7 @@ vec4 litAt(int level, ivec2 at) {
   ivec2 held = clamp(at, ivec2(0), levelSize(cells_, level) - 1);
   vec4 found = imageLoad(litLevels, levelPlace(room, max(level - refined_, 0), held));
 #ifdef REFLECTED
-  WHEN(level < refined_) found = nearestAt(0, held) > 0.0f ? imageLoad(litPixels, held) : vec4(0.0f);
+  IF_ANY(level < refined_) found = nearestAt(0, held) > 0.0f ? imageLoad(litPixels, held) : vec4(0.0f);
 #endif
   return held == at ? found : vec4(0.0f);
 }
@@ -59,10 +59,10 @@ vec4 groundMet(MirrorWay way, float ground, float roughness) {
 vec4 lightMet(vec3 p, vec3 direction, float ground, vec3 towards, float roughness) {
   vec4 light = vec4(0.0f);
   MirrorWay way = mirrorWay(p, direction, ground, facing_, towards, turns_, roughness);
-  WHEN(way.counts > 0.0f) {
+  IF_ANY(way.counts > 0.0f) {
     light = lightAlong(way, roughness);
 #ifdef REFRACTED
-    WHEN(light.w <= 0.0f) light = groundMet(way, ground, roughness);
+    IF_ANY(light.w <= 0.0f) light = groundMet(way, ground, roughness);
 #endif
   }
   return light;

@@ -40,7 +40,7 @@ bool differ(vec3 a, vec3 b, ivec2 at) {
   precise vec3 difference = a - b;
   precise float off = maxOf(abs(difference)) * frame.exposure;
   float least = leastLight;
-  WHEN(off > leastLight) {
+  IF_ANY(off > leastLight) {
     vec3 before = imageLoad(sums, 2 * clamp(at, ivec2(0), (size - 1) / 2)).rgb;
     precise vec3 light = before + max(a, b);
     precise float part = leastLight + leastPart * maxOf(light) * frame.exposure;

@@ -35,7 +35,7 @@ FUNCTION vec4 edgeWeights(vec4 before, float share, float b, bool whole) {
 // Returns the light of a pixel, in which compressed light is expanded again. Light of samples below a brightness of 1/2
 // keeps its bits.
 FUNCTION vec4 evenedLight(vec4 light, float exposure) {
-  WHEN(light.a < 0.0f) {
+  IF_ANY(light.a < 0.0f) {
     precise vec3 sum = vec3(light);
     precise float cover = -light.a;
     precise float b = brightnessOf(sum, exposure) * exactReciprocal(max(cover, 1e-6f));

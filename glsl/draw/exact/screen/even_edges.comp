@@ -14,6 +14,6 @@ void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, view.rows.x);
   if (at.x >= view.size.x || at.y >= view.rows.y) return;
   vec4 light = imageLoad(sums, at);
-  WHEN(light.a < 0.0f)
+  IF_ANY(light.a < 0.0f)
     imageStore(sums, at, min(evenedLight(light, linear == 1 ? 0.0f : frame.exposure), 6e4f));
 }

@@ -68,7 +68,7 @@ vec3 lightBeyond(Crossing crossing, vec3 towards, float roughness) {
   precise vec3 around = skyMirrored(crossing.direction, roughness);
 #ifdef GROUND_BELOW
   GroundMirrored below = groundMirrored(crossing.place, crossing.direction, min(roughness, mirrorSmooth), 1.0f);
-  WHEN(below.counts > 0.0f) {
+  IF_ANY(below.counts > 0.0f) {
     vec3 lit = groundInSun(below, crossing.direction);
 #ifdef LAMPS
     precise vec3 sum = lit + lampsOnMirrored(below, crossing.direction);

@@ -71,9 +71,9 @@ vec4 lightGround(ivec2 pixel, int samples) {
   vec3 eyewards = unitOf(towards);
   vec4 met = vec4(0.0f), light = vec4(0.0f);
   // A ray that misses the ground may see the sky. It gets no reflection.
-  WHEN(depth >= view.near)
+  IF_ANY(depth >= view.near)
     met = lightMet(p, vec3(-eyewards.x, abs(eyewards.y), -eyewards.z), -1.0f, eyewards, frame.groundRoughness);
-  WHEN(met.w > 0.0f) light = groundReflected(p, eyewards, met, opennessOn(pixel, p));
+  IF_ANY(met.w > 0.0f) light = groundReflected(p, eyewards, met, opennessOn(pixel, p));
   return groundThroughHaze(light, p);
 #endif
 #ifdef SHOWN
