@@ -134,6 +134,48 @@ TEST_CASE("haze: a mirror shows the ground through the haze of both ways, in sta
   }
 }
 
+TEST_CASE(
+    "haze: a mirror shows an object dimmed by exp(-optical depth) of both ways, in standard and in high") {
+  testContext();
+  constexpr glm::ivec2 size(17, 65);
+  const glm::dvec3 eye(0, 4, 6);
+  for (const scene::Quality quality : {scene::Quality::standard, scene::Quality::high}) {
+    scene::Scene scene = darkInHaze(quality, 5);
+    scene.haze->color = glm::vec3(0);
+    scene.camera.position = glm::vec3(eye);
+    scene.camera.target = glm::vec3(0, 1, -1);
+    scene.camera.fieldOfView = 60;
+    GridStage mirror({2, 2}, {-9, 0, 6}, {18, 0, 0}, {0, 0, -8});
+    mirror.material.color = glm::vec3(1);
+    mirror.material.metallic = 1;
+    mirror.material.roughness = 0.02F;
+    GridStage screen({2, 2}, {-9, 4, -2}, {18, 0, 0}, {0, -3, 0});
+    screen.material.color = glm::vec3(0);
+    screen.material.finish.emission = glm::vec3(1);
+    const shader::ExactView view =
+        draw::exactView(draw::viewAt(scene.camera, 0, size, {}), scene.camera, size);
+    const auto drawn = [&] {
+      return rayPicture(scene, {.surfaces = {mirror.surface, screen.surface}}, size);
+    };
+    const RayPicture hazy = drawn();
+    scene.haze->distance = 1e6F;
+    const RayPicture clear = drawn();
+    CAPTURE(static_cast<int>(quality));
+    int places = 0;
+    for (int y = 0; y < size.y; ++y) {
+      const glm::dvec3 ray =
+          glm::normalize(glm::dvec3(draw::placeOf(view, {8.5F, static_cast<float>(y) + 0.5F}, 1)) - eye);
+      const double way = -8 / ray.z;  // to the plane of the screen; the mirror folds the ray
+      const double height = -(eye.y + way * ray.y);
+      if (ray.z > -0.1 || height < 1.6 || height > 3.4) continue;
+      const double kept = hazy.at(8, y).x / clear.at(8, y).x;
+      CHECK(kept == doctest::Approx(std::exp(-way / 5)).epsilon(0.02));
+      ++places;
+    }
+    CHECK(places > 2);
+  }
+}
+
 TEST_CASE("haze: glows are dimmed, and the haze adds nothing to them") {
   testContext();
   const auto brightest = [](bool hazy) {
