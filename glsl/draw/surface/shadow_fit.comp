@@ -34,8 +34,8 @@ void main() {
     low = seen.low;
     high = seen.high;
   }
-  // What is in the bounds is at least `margin` texels from the border, so filters of visible receivers read no other
-  // texels.
+  // The map has a margin of `margin` texels around the bounds, so filters of visible receivers read no texels beyond
+  // the map.
   float texels = frame.shadowTexels;
   precise float softness = ceil(frame.shadowReach) + 2.0;
   precise float quarter = 0.25 * texels;

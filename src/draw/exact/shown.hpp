@@ -47,8 +47,8 @@ struct SceneLight {
                                                       ///< thickness of reflected objects (m)
   gl::In<"litPixels"> litPixels = {};                 ///< light of each pixel without reflections
   gl::In<"unevenTiles"> unevenTiles = {};    ///< blocks of 2x2 pixels whose pixels are traced one by one
-  gl::Uniform<"refined", int> refined = {};  ///< 1 to trace the pixels of these blocks; 0 to trace once
-                                             ///< per block
+  gl::Uniform<"refined", int> refined = {};  ///< 1 to trace each pixel of the uneven blocks; 0 to trace
+                                             ///< once per block
   gl::In<"layersLeave"> layersLeave;  ///< fraction of light that the blended layers in front let through,
                                       ///< per sample
   gl::InOut<"ThroughBlock"> through;  ///< fraction of light that the blended layers shaded so far let

@@ -1,5 +1,5 @@
-// Inputs of kernels with REFLECTED that trace a ray for each pixel of the uneven half pixels, whose reflections differ
-// from those of their neighbours (uneven.comp). Otherwise, the kernels trace a ray for each half pixel.
+// Inputs of kernels with REFLECTED. A half pixel (2x2 pixels) is uneven if its reflection differs from a neighbour's
+// (uneven.comp). With refined = 1, the kernels trace a ray for each pixel of uneven half pixels, else for each half pixel.
 #ifndef EXACT_REFINED
 #define EXACT_REFINED
 #include "common/once.glsl"

@@ -61,10 +61,10 @@ class ReflectedChanges {
   void clear() const;
   /// Returns the picture to which kernels with REFLECTED add changes.
   [[nodiscard]] const gl::Texture& changes() const { return changes_; }
-  /// Finds the blocks of 2x2 pixels whose changes differ visibly from those of their neighbours, and sets
+  /// Finds the uneven blocks: blocks of 2x2 pixels whose change differs visibly from a neighbour's. Sets
   /// their changes to zero. `light`: the picture's light without reflections.
   void findUneven(const gl::Texture& light) const;
-  /// Returns the mask of these blocks per tile, for kernels that include
+  /// Returns the mask of the uneven blocks per tile, for kernels that include
   /// draw/exact/reflections/refined.glsl.
   [[nodiscard]] const gl::Texture& uneven() const { return uneven_; }
   /// Adds the changes to the light of the picture.
